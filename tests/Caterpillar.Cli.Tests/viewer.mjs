@@ -47,15 +47,15 @@ async function colors() {
   }
 }
 
-// What walls and surfaces hide is drawn after them: inner walls, infill, solid infill and gap fill between the first and the last layer that are shown.
+// What walls and surfaces hide is drawn after them: inner walls, infill, gap fill, and solid infill if top surfaces have a role of their own.
 function inside() {
   const source = readFileSync(new URL("../../src/Caterpillar.Core/Display/Viewing/Page/scene.js", import.meta.url), "utf8");
-  const isInside = new Function(source + "; return isInside;")();
-  name = "inside";
-  const roles = (layer, hidden = []) => [...Array(18).keys()].filter((role) => isInside(role, layer, 3, 9, new Set(hidden))).join();
-  if (roles(4) !== "2,4,5,9" || roles(8) !== "2,4,5,9") fault("inside are the roles " + roles(4));
-  if (roles(3) || roles(9) || roles(undefined)) fault("something is inside in the first or the last layer, or without layers");
-  if (roles(4, [1])) fault("something is inside where outer walls are hidden");
+  const rolesInside = new Function(source + "; return rolesInside;")();
+  for (const [roles, hidden, expected] of [[[1, 2, 6], [], "2,4,5,9"], [[1, 2, 5], [4], "2,4,9"], [[1, 6], [1], ""], [[0, 2, 6], [], ""]]) {
+    name = `roles ${roles} without ${hidden}`;
+    const found = [...rolesInside(Uint8Array.from(roles), new Set(hidden))].join();
+    if (found !== expected) fault(`${found} are inside`);
+  }
 }
 
 // The colors of filaments come from the comments of the file, and a change is marked.

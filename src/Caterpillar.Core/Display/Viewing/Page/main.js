@@ -49,6 +49,7 @@ function inLayers(i) {
 
 function filter() {
   const beads = [], inside = [], outside = [], travels = [], retractions = [], seams = [], above = [];
+  const insideRoles = rolesInside(moves.role, hidden);
   let before = -1;
   for (let i = 0; i < moves.rows; i++) {
     const kind = moves.kind[i];
@@ -57,7 +58,8 @@ function filter() {
       if (role >= 0) {
         if (!hidden.has(role)) {
           beads.push(i);
-          (isInside(role, ranks[moves.layer[i]], firstLayer, lastLayer, hidden) ? inside : outside).push(i);
+          const rank = ranks[moves.layer[i]];
+          (insideRoles.has(role) && rank > firstLayer && rank < lastLayer ? inside : outside).push(i);
         }
         if (before < 0 && (role === 1 || role === 0)) seams.push(i);
       } else if (kind === kinds.prime && moves.width[i] > 0 && !hidden.has(moves.role[i])) {

@@ -148,11 +148,11 @@ void main() {
   result = vec4(tint.rgb * (0.45 + 0.6 * max(dot(n, light), dot(-n, light) * 0.5)), tint.a);
 }`;
 
-// Inner walls, infill, solid infill and gap fill, which outer walls and surfaces hide.
-const insideRoles = new Set([2, 4, 5, 9]);
-
-// Whether an extrusion of a layer is hidden by others, of layers from first to last without some roles.
-function isInside(role, layer, first, last, hidden) { return insideRoles.has(role) && !hidden.has(1) && layer > first && layer < last; }
+// Roles that outer walls and surfaces hide: inner walls, infill, gap fill, and solid infill where top surfaces have a role of their own.
+function rolesInside(roles, hidden) {
+  if (!roles.includes(1) || hidden.has(1)) return new Set();
+  return new Set(roles.includes(6) ? [2, 4, 5, 9] : [2, 4, 9]);
+}
 
 // Extrusions inside of a growing print that are still seen.
 const newest = 10000;
