@@ -231,6 +231,15 @@ public class ExtrusionRuleTests
         Assert.That((found.Source!.Move, found.Message), Is.EqualTo(((int?)1, "An extrusion is in the air for 9 mm, with a free end. Add supports below it.")));
     }
 
+    [TestCase(Role.Support)]
+    [TestCase(Role.SupportInterface)]
+    public void Supports_in_the_air_are_not_told_to_be_supported(Role role)
+    {
+        var print = new SmallPrint(40, 50, 4).Go(50, 50, 4).Print(59, 50, 4, role: role).Go(80, 80, 4);
+        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported).Single().Message,
+            Is.EqualTo("A support is in the air for 9 mm, with a free end. Use denser supports, or a grid instead of trees."));
+    }
+
     [Test]
     public void Odd_widths_are_named_by_the_first_extrusion_of_5_mm_and_then_by_each()
     {

@@ -31,7 +31,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
     private Vec3 _start, _end;
     private bool _isOpen, _anchored, _startsHeld, _hasLanded;
     private double _air, _sinceExact;
-    private int _airMove;
+    private CheckedMove _airMove;
     private double _length, _volume, _sinceGap, _gap;
     private double _standing, _highest;
 
@@ -87,7 +87,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
                 if (isHeld) _sinceExact = 0;
             }
             if (isHeld || move.Role == Role.Purge) Land(move);
-            else Fly(move.Index, step);
+            else Fly(move, step);
             if (gap == p.Z - floor) Stand(move, gap, reach, step * area, nominal);
         }
         _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
@@ -117,7 +117,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
             var below = printed.Strands!.Below(p - tool * beside, tool, reach - beside, exactly: !(thickness > 0));
             if (below <= reach - beside || move.Role == Role.Purge) Land(move);
-            else Fly(move.Index, move.Length / count);
+            else Fly(move, move.Length / count);
             Stand(move, p.Z - printed.FloorUnder(p), nominal, move.Length / count * area, nominal);
             if (!(thickness > 0)) height = Math.Min(height, beside + below);
         }
@@ -208,7 +208,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         double Mean(double over) => printed.GapAcross(middle, across * (over / 2), round, middle.Z - least / 2, int.MaxValue, area / over, below);
     }
 
-    private void Fly(int move, double step)
+    private void Fly(in CheckedMove move, double step)
     {
         if (_air == 0) _airMove = move;
         _air += step;
@@ -228,11 +228,13 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         var air = _air;
         if (!_hasLanded)
         {
-            findings.Add(CheckCodes.InAir, _airMove, () => $"The print begins in the air: its first {NumberFormatter.Format(air, 1)} mm touch neither the "
-                + "bed nor an object. Lower the print.");
+            findings.Add(CheckCodes.InAir, _airMove.Index, () => $"The print begins in the air: its first {NumberFormatter.Format(air, 1)} mm touch neither "
+                + "the bed nor an object. Lower the print.");
             _hasLanded = true;
         }
-        findings.Add(CheckCodes.Unsupported, _airMove, () => $"An extrusion is in the air for {NumberFormatter.Format(air, 1)} mm, "
-            + (bridge ? "between two supports. Add supports below it." : "with a free end. Add supports below it."), air);
+        var (what, remedy) = _airMove.Role is Role.Support or Role.SupportInterface
+            ? ("A support", "Use denser supports, or a grid instead of trees.") : ("An extrusion", "Add supports below it.");
+        findings.Add(CheckCodes.Unsupported, _airMove.Index, () => $"{what} is in the air for {NumberFormatter.Format(air, 1)} mm, "
+            + (bridge ? "between two supports. " : "with a free end. ") + remedy, air);
     }
 }
