@@ -14,6 +14,7 @@ internal static class ObjectOutlines
     /// <summary>The named objects in the order of their first move, with the corners counterclockwise in mm; none for objects that print nothing.</summary>
     public static IReadOnlyList<(string Name, IReadOnlyList<Vec3> Outline)> Of(Toolpath toolpath)
     {
+        if (toolpath.Layers.All(l => l.Object.Length == 0)) return [];
         var names = new List<string>();
         var outlines = new Dictionary<string, Extremes>(StringComparer.Ordinal);
         foreach (var move in toolpath.Moves())

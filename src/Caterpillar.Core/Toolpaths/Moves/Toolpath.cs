@@ -37,7 +37,7 @@ public sealed class Toolpath
     private readonly MoveEvent[] _events;
     private readonly Layer[] _layers;
     private readonly ToolpathTool[] _tools;
-    private ToolpathTotals? _totals;
+    private readonly Lazy<ToolpathTotals> _totals;
 
     internal Toolpath(
         IEnumerable<ToolpathBlock> blocks, IEnumerable<Layer> layers, IEnumerable<MoveEvent> events, IEnumerable<ToolpathTool> tools, Vec3? start,
@@ -56,6 +56,7 @@ public sealed class Toolpath
         Start = start;
         Source = source;
         Places = places ?? [];
+        _totals = new(() => ToolpathSums.Of(this).ToTotals(_tools));
     }
 
     /// <summary>Number of moves.</summary>
@@ -83,7 +84,7 @@ public sealed class Toolpath
     internal IReadOnlyList<SourceLocation?> Places { get; }
 
     /// <summary>The sums over its moves, which are added up when they are first used.</summary>
-    internal ToolpathTotals Totals => _totals ??= ToolpathSums.Of(this).ToTotals(_tools);
+    internal ToolpathTotals Totals => _totals.Value;
 
     /// <summary>A move by its number.</summary>
     public Move this[int index]

@@ -9,11 +9,11 @@ internal sealed class ToolpathSums
     private int _prints;
     private int _travels;
     private int _retractions;
-    private Bounds _part = Bounds.Empty;
-    private Bounds _others = Bounds.Empty;
-    private Bounds _blobs = Bounds.Empty;
-    private Bounds _partBlobs = Bounds.Empty;
-    private Bounds _all = Bounds.Empty;
+    private readonly GrowingBox _part = new();
+    private readonly GrowingBox _others = new();
+    private readonly GrowingBox _blobs = new();
+    private readonly GrowingBox _partBlobs = new();
+    private readonly GrowingBox _all = new();
 
     /// <summary>Where the next move begins, mm.</summary>
     public Vec3 Position { get; set; }
@@ -54,11 +54,11 @@ internal sealed class ToolpathSums
             if (tool.Value.Deposited != 0) volume += area * tool.Value.Deposited;
             inPlace += area.GetValueOrDefault() * tool.Value.InPlace;
         }
-        var printBounds = _part.Include(_others);
+        var printBounds = _part.ToBounds().Include(_others.ToBounds());
         return new ToolpathTotals(
-            _print, _travel, deposited, volume, _prints, _travels, _retractions, printBounds.IsEmpty ? _blobs : printBounds, _all)
+            _print, _travel, deposited, volume, _prints, _travels, _retractions, printBounds.IsEmpty ? _blobs.ToBounds() : printBounds, _all.ToBounds())
         {
-            InPlaceVolume = inPlace, PartBounds = _part.IsEmpty ? _partBlobs : _part,
+            InPlaceVolume = inPlace, PartBounds = (_part.IsEmpty ? _partBlobs : _part).ToBounds(),
         };
     }
 
@@ -70,19 +70,23 @@ internal sealed class ToolpathSums
         var turns = c.TryGetArc(i, out var arc);
         var length = turns ? arc.Length(start, end) : start.DistanceTo(end);
         var kind = c.Kind[i];
-        if (length > 0 && !_all.Contains(end)) _all = _all.Include(end);
+        if (length > 0) _all.Include(end);
         if (kind == MoveKind.Print)
         {
             _prints++;
             _print += length;
-            ref var box = ref c.Role[i] is Role.Skirt or Role.Purge or Role.PrimeTower ? ref _others : ref _part;
-            if (!box.Contains(start) || !box.Contains(end)) box = box.Include(start).Include(end);
-            if (turns) box = box.Include(arc.Bounds(start, end));
+            var box = c.Role[i] is Role.Skirt or Role.Purge or Role.PrimeTower ? _others : _part;
+            box.Include(start);
+            box.Include(end);
+            if (!turns) return true;
+            var bounds = arc.Bounds(start, end);
+            box.Include(bounds.Min);
+            box.Include(bounds.Max);
             return true;
         }
         if (kind is MoveKind.Retract or MoveKind.Wipe) _retractions++;
-        if (kind == MoveKind.Prime) _blobs = _blobs.Include(end);
-        if (kind == MoveKind.Prime && c.Role[i] != Role.Purge) _partBlobs = _partBlobs.Include(end);
+        if (kind == MoveKind.Prime) _blobs.Include(end);
+        if (kind == MoveKind.Prime && c.Role[i] != Role.Purge) _partBlobs.Include(end);
         if (length > 0) _travels++;
         _travel += length;
         return false;

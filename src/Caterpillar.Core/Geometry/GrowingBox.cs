@@ -1,4 +1,4 @@
-namespace Caterpillar.GCode;
+namespace Caterpillar.Geometry;
 
 /// <summary>A box that grows in place.</summary>
 internal sealed class GrowingBox
@@ -11,6 +11,8 @@ internal sealed class GrowingBox
     public double MaxZ = double.NegativeInfinity;
 
     public bool IsEmpty => MinX > MaxX;
+
+    public void Include(Vec3 p) => Include(p.X, p.Y, p.Z);
 
     public void Include(double x, double y, double z)
     {
