@@ -9,53 +9,51 @@ internal sealed class EntryTree
     private const int LeafSize = 8;
     private readonly Vec3[] _points;
     private readonly int[] _order;
+    private readonly double[] _along;
     private readonly bool[] _dead;
     private readonly int[] _nodeOf;
     private readonly int[] _alive;
-    private readonly double[] _box;
+    private readonly GrowingBox[] _boxes;
     private readonly int _leaves;
 
     public EntryTree(Vec3[] points)
     {
         var count = points.Length;
         _points = points;
-        _order = new int[count];
-        for (var i = 0; i < count; i++) _order[i] = i;
+        _order = [.. Enumerable.Range(0, count)];
+        _along = new double[count];
         _dead = new bool[count];
         _nodeOf = new int[count];
         _leaves = 1;
         while (_leaves * LeafSize < count) _leaves *= 2;
         _alive = new int[2 * _leaves];
-        _box = new double[12 * _leaves];
+        _boxes = new GrowingBox[2 * _leaves];
         Build(1, 0, count);
     }
 
-    public void Remove(int point)
-    {
-        if (_dead[point]) return;
-        _dead[point] = true;
-        for (var node = _nodeOf[point]; node > 0; node /= 2) _alive[node]--;
-    }
+    public void Remove(int point) => Set(point, dead: true);
 
-    public void Restore(int point)
-    {
-        if (!_dead[point]) return;
-        _dead[point] = false;
-        for (var node = _nodeOf[point]; node > 0; node /= 2) _alive[node]++;
-    }
+    public void Restore(int point) => Set(point, dead: false);
 
     /// <summary>Index of the nearest remaining point, or −1.</summary>
     public int Nearest(Vec3 from)
     {
-        if (_alive[1] == 0) return -1;
         var best = -1;
         var bestSquare = double.PositiveInfinity;
         Search(1, 0, _order.Length, from, ref best, ref bestSquare);
         return best;
     }
 
+    private void Set(int point, bool dead)
+    {
+        if (_dead[point] == dead) return;
+        _dead[point] = dead;
+        for (var node = _nodeOf[point]; node > 0; node /= 2) _alive[node] += dead ? -1 : 1;
+    }
+
     private void Search(int node, int first, int end, Vec3 from, ref int best, ref double bestSquare)
     {
+        if (_alive[node] == 0 || SquareTo(node, from) > bestSquare) return;
         if (node >= _leaves)
         {
             for (var i = first; i < end; i++)
@@ -71,89 +69,41 @@ internal sealed class EntryTree
         }
         var middle = first + (end - first) / 2;
         var left = node * 2;
-        var toLeft = _alive[left] > 0 ? SquareTo(left, from) : double.PositiveInfinity;
-        var toRight = _alive[left + 1] > 0 ? SquareTo(left + 1, from) : double.PositiveInfinity;
-        if (toLeft <= toRight)
-        {
-            if (_alive[left] > 0 && toLeft <= bestSquare) Search(left, first, middle, from, ref best, ref bestSquare);
-            if (_alive[left + 1] > 0 && toRight <= bestSquare) Search(left + 1, middle, end, from, ref best, ref bestSquare);
-        }
-        else
-        {
-            if (_alive[left + 1] > 0 && toRight <= bestSquare) Search(left + 1, middle, end, from, ref best, ref bestSquare);
-            if (_alive[left] > 0 && toLeft <= bestSquare) Search(left, first, middle, from, ref best, ref bestSquare);
-        }
+        var isLeftNearer = SquareTo(left, from) <= SquareTo(left + 1, from);
+        if (isLeftNearer) Search(left, first, middle, from, ref best, ref bestSquare);
+        Search(left + 1, middle, end, from, ref best, ref bestSquare);
+        if (!isLeftNearer) Search(left, first, middle, from, ref best, ref bestSquare);
     }
 
     private double SquareTo(int node, Vec3 p)
     {
-        var at = node * 6;
-        var x = Math.Max(Math.Max(_box[at] - p.X, p.X - _box[at + 3]), 0);
-        var y = Math.Max(Math.Max(_box[at + 1] - p.Y, p.Y - _box[at + 4]), 0);
-        var z = Math.Max(Math.Max(_box[at + 2] - p.Z, p.Z - _box[at + 5]), 0);
+        var box = _boxes[node];
+        var x = Math.Max(Math.Max(box.MinX - p.X, p.X - box.MaxX), 0);
+        var y = Math.Max(Math.Max(box.MinY - p.Y, p.Y - box.MaxY), 0);
+        var z = Math.Max(Math.Max(box.MinZ - p.Z, p.Z - box.MaxZ), 0);
         return x * x + y * y + z * z;
     }
 
     private void Build(int node, int first, int end)
     {
-        double x0 = double.PositiveInfinity, y0 = x0, z0 = x0, x1 = double.NegativeInfinity, y1 = x1, z1 = x1;
-        for (var i = first; i < end; i++)
-        {
-            var p = _points[_order[i]];
-            x0 = Math.Min(x0, p.X);
-            y0 = Math.Min(y0, p.Y);
-            z0 = Math.Min(z0, p.Z);
-            x1 = Math.Max(x1, p.X);
-            y1 = Math.Max(y1, p.Y);
-            z1 = Math.Max(z1, p.Z);
-        }
-        var at = node * 6;
-        _box[at] = x0;
-        _box[at + 1] = y0;
-        _box[at + 2] = z0;
-        _box[at + 3] = x1;
-        _box[at + 4] = y1;
-        _box[at + 5] = z1;
+        var box = _boxes[node] = new GrowingBox();
+        for (var i = first; i < end; i++) box.Include(_points[_order[i]]);
         _alive[node] = end - first;
         if (node >= _leaves)
         {
             for (var i = first; i < end; i++) _nodeOf[_order[i]] = node;
             return;
         }
+        // Halves along the longest side.
+        double x = box.MaxX - box.MinX, y = box.MaxY - box.MinY, z = box.MaxZ - box.MinZ;
+        for (var i = first; i < end; i++)
+        {
+            var p = _points[_order[i]];
+            _along[i] = x >= y && x >= z ? p.X : y >= z ? p.Y : p.Z;
+        }
+        Array.Sort(_along, _order, first, end - first);
         var middle = first + (end - first) / 2;
-        if (end - first > 1) Split(first, end, middle, x1 - x0 >= y1 - y0 ? (x1 - x0 >= z1 - z0 ? 0 : 2) : (y1 - y0 >= z1 - z0 ? 1 : 2));
         Build(node * 2, first, middle);
         Build(node * 2 + 1, middle, end);
-    }
-
-    // Quickselect: afterwards no point before the middle is greater than one after it, along the axis and then by number.
-    private void Split(int first, int end, int middle, int axis)
-    {
-        int low = first, high = end - 1;
-        while (low < high)
-        {
-            var pivot = _order[low + (high - low) / 2];
-            int i = low, j = high;
-            while (i <= j)
-            {
-                while (Before(_order[i], pivot, axis)) i++;
-                while (Before(pivot, _order[j], axis)) j--;
-                if (i > j) break;
-                (_order[i], _order[j]) = (_order[j], _order[i]);
-                i++;
-                j--;
-            }
-            if (middle <= j) high = j;
-            else if (middle >= i) low = i;
-            else return;
-        }
-    }
-
-    private bool Before(int a, int b, int axis)
-    {
-        var p = _points[a];
-        var q = _points[b];
-        var (u, v) = axis == 0 ? (p.X, q.X) : axis == 1 ? (p.Y, q.Y) : (p.Z, q.Z);
-        return u < v || (u == v && a < b);
     }
 }

@@ -76,20 +76,12 @@ public static class PathSorter
 
     private static IEnumerable<int[]> ByHeight(IReadOnlyList<PrintPath> paths)
     {
-        var heights = new double[paths.Count];
-        for (var i = 0; i < heights.Length; i++)
-        {
-            heights[i] = double.PositiveInfinity;
-            foreach (var p in paths[i].RawPoints) heights[i] = Math.Min(heights[i], p.Z);
-        }
+        var heights = paths.Select(path => path.RawPoints.Min(p => p.Z)).ToArray();
         var byHeight = Enumerable.Range(0, paths.Count).OrderBy(i => heights[i]).ToArray();
         for (int first = 0, end = 0; first < byHeight.Length; first = end)
         {
             while (end < byHeight.Length && heights[byHeight[end]] - heights[byHeight[first]] < SameHeight) end++;
-            var group = new int[end - first];
-            Array.Copy(byHeight, first, group, 0, group.Length);
-            Array.Sort(group);
-            yield return group;
+            yield return [.. new ArraySegment<int>(byHeight, first, end - first).OrderBy(i => i)];
         }
     }
 }

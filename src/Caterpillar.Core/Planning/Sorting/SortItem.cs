@@ -23,34 +23,25 @@ internal readonly struct SortItem(PrintPath path, bool reverse, bool rotate, Pri
     public PathPlacement NearestEntry(int index, Vec3 from)
     {
         if (Reverse && (Path.End - from).LengthSquared < (Path.Start - from).LengthSquared) return new PathPlacement(index, true);
-        if (!Rotate) return new PathPlacement(index);
-        var points = Path.RawPoints;
-        var best = 0;
-        var bestSquare = double.PositiveInfinity;
-        for (var i = 0; i < points.Length; i++)
-        {
-            var square = (points[i] - from).LengthSquared;
-            if (square >= bestSquare) continue;
-            best = i;
-            bestSquare = square;
-        }
-        return new PathPlacement(index, false, best);
+        return new PathPlacement(index, false, Rotate ? BestVertex(p => (p - from).LengthSquared) : 0);
     }
 
     /// <summary>The vertex of a loop that gives the shortest travel from one point via the loop to another.</summary>
-    public PathPlacement Between(int index, Vec3 from, Vec3 to)
+    public PathPlacement Between(int index, Vec3 from, Vec3 to) => new(index, false, BestVertex(p => p.DistanceTo(from) + p.DistanceTo(to)));
+
+    // The first vertex with the smallest value.
+    private int BestVertex(Func<Vec3, double> valueOf)
     {
-        var points = Path.RawPoints;
         var best = 0;
-        var bestLength = double.PositiveInfinity;
-        for (var i = 0; i < points.Length; i++)
+        var least = double.PositiveInfinity;
+        for (var i = 0; i < Path.RawPoints.Length; i++)
         {
-            var length = points[i].DistanceTo(from) + points[i].DistanceTo(to);
-            if (length >= bestLength) continue;
+            var value = valueOf(Path.RawPoints[i]);
+            if (value >= least) continue;
             best = i;
-            bestLength = length;
+            least = value;
         }
-        return new PathPlacement(index, false, best);
+        return best;
     }
 
     // Loops that may start anywhere start side by side.

@@ -50,28 +50,16 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
 
     private void SortRun(int first, int end)
     {
-        var run = new int[end - first];
-        var groups = new StepGroup[run.Length];
-        var isSorted = true;
-        for (var i = 0; i < run.Length; i++)
+        _run = [.. Enumerable.Range(first, end - first).OrderBy(i => GroupOf(i).Layer).ThenBy(i => GroupOf(i).Island).ThenBy(i => GroupOf(i).Rank)];
+        var from = 0;
+        foreach (var layer in _run.GroupBy(i => GroupOf(i).Layer))
         {
-            run[i] = first + i;
-            groups[i] = ((PathStep)steps[first + i]).Group!.Value;
-            isSorted &= i == 0 || Compare(groups[i - 1], groups[i]) <= 0;
-        }
-        if (!isSorted) Array.Sort(run, (a, b) => Compare(groups[a - first], groups[b - first]) is var c and not 0 ? c : a.CompareTo(b));
-        _run = run;
-        for (int from = 0, to; from < run.Length; from = to)
-        {
-            to = from;
-            var layer = groups[run[from] - first].Layer;
             var islands = new List<(int From, int To)>();
-            while (to < run.Length && groups[run[to] - first].Layer == layer)
+            foreach (var island in layer.GroupBy(i => GroupOf(i).Island))
             {
-                var begin = to;
-                var island = groups[run[to] - first].Island;
-                while (to < run.Length && groups[run[to] - first] is var g && g.Layer == layer && g.Island == island) to++;
-                islands.Add((begin, to));
+                var to = from + island.Count();
+                islands.Add((from, to));
+                from = to;
             }
             SortLayer(islands);
         }
@@ -87,7 +75,7 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
         for (var n = 0; n < islands.Count; n++)
         {
             // Islands below zero (a skirt) come first, in their order.
-            var isLead = ((PathStep)steps[_run[islands[n].From]]).Group!.Value.Island < 0;
+            var isLead = GroupOf(_run[islands[n].From]).Island < 0;
             if (isLead) leads++;
             var next = isLead || choose is null || _at is null ? n : choose.NearestOwner(_at.Value);
             choose?.Remove(next);
@@ -102,9 +90,9 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
     {
         for (int from = island.From, to; from < island.To; from = to)
         {
-            var rank = Rank(steps[_run[from]]);
+            var rank = RankAt(from);
             to = from + 1;
-            while (to < island.To && Rank(steps[_run[to]]) == rank) to++;
+            while (to < island.To && RankAt(to) == rank) to++;
             SortGroup(from, to);
         }
     }
@@ -121,9 +109,7 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
         }
         var start = leads == 0 ? at : _ordered[starts[leads] - 1].Path!.End;
         var places = TourImprover.Improve(items, NearestOrder.AsGiven(items.Length), start, cancel);
-        var same = true;
-        for (var i = 0; i < places.Length; i++) same &= places[i].Index == i;
-        if (same) return;
+        if (Enumerable.Range(0, places.Length).All(i => places[i].Index == i)) return;
         var from = starts[leads];
         var (ordered, count, exit) = (_ordered, _count, _at);
         (_ordered, _count, _at) = (new OrderedStep[count - from], 0, start);
@@ -175,22 +161,12 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
         _at = path.End;
     }
 
+    // One whose first path was taken out is the first itself.
     private EntryPoints Entries(List<(int From, int To)> islands)
-    {
-        var items = new List<(SortItem Item, int Owner)>();
-        for (var island = 0; island < islands.Count; island++)
-        {
-            var (from, to) = islands[island];
-            var rank = Rank(steps[_run[from]]);
-            for (var i = from; i < to && Rank(steps[_run[i]]) == rank; i++)
-            {
-                // One whose first path was taken out is the first itself.
-                if (i > from && PathAt(i).Joined) continue;
-                items.Add((Item(i), island));
-            }
-        }
-        return new EntryPoints(items);
-    }
+        => new(islands.SelectMany((island, owner) => Enumerable.Range(island.From, island.To - island.From)
+            .TakeWhile(i => RankAt(i) == RankAt(island.From))
+            .Where(i => i == island.From || !PathAt(i).Joined)
+            .Select(i => (Item(i), owner))));
 
     private SortItem Item(int place, PrintPath? tail = null)
     {
@@ -200,13 +176,7 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
 
     private PathStep PathAt(int place) => (PathStep)steps[_run[place]];
 
-    private static int Rank(Step step) => ((PathStep)step).Group!.Value.Rank;
+    private StepGroup GroupOf(int step) => ((PathStep)steps[step]).Group!.Value;
 
-    private static int Compare(StepGroup a, StepGroup b)
-    {
-        var layer = a.Layer.CompareTo(b.Layer);
-        if (layer != 0) return layer;
-        var island = a.Island.CompareTo(b.Island);
-        return island != 0 ? island : a.Rank.CompareTo(b.Rank);
-    }
+    private int RankAt(int place) => GroupOf(_run[place]).Rank;
 }

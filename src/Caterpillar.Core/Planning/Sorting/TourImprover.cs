@@ -7,13 +7,14 @@ namespace Caterpillar.Planning;
 /// </summary>
 internal sealed class TourImprover
 {
-    private const int Neighbors = 6;
+    // Ends that are tried near each end of a path.
+    private const int Neighbors = 3;
     private const int MostPasses = 8;
     private const double MinGain = 1e-7;
     private readonly SortItem[] _items;
     private readonly PathPlacement[] _order;
     private readonly int[] _place;
-    private readonly int[] _near;
+    private readonly int[][] _near;
     private readonly Vec3? _start;
     private readonly bool _reversible;
     private readonly int _reach;
@@ -32,17 +33,15 @@ internal sealed class TourImprover
         // Long sections cost time to reverse and gain no more than short ones.
         _reach = order.Length <= 10_000 ? order.Length : 1_000;
         _near = NearPaths();
-        _fresh = new bool[order.Length];
-        for (var i = 0; i < _fresh.Length; i++) _fresh[i] = true;
+        _fresh = [.. Enumerable.Repeat(true, order.Length)];
     }
 
     public static PathPlacement[] Improve(SortItem[] items, PathPlacement[] order, Vec3? start, CancellationToken cancel)
     {
         if (order.Length < 3) return order;
         var tour = new TourImprover(items, (PathPlacement[])order.Clone(), start);
-        for (var pass = 0; pass < MostPasses && tour.Pass(cancel); pass++)
-        {
-        }
+        var pass = 0;
+        while (pass < MostPasses && tour.Pass(cancel)) pass++;
         tour.RotateLoops();
         return NearestOrder.TravelLength(items, tour._order, start) < NearestOrder.TravelLength(items, order, start) ? tour._order : order;
     }
@@ -70,10 +69,8 @@ internal sealed class TourImprover
             if ((path & 1023) == 0) cancel.ThrowIfCancellationRequested();
             if (!_fresh[path]) continue;
             _fresh[path] = false;
-            for (var k = 0; k < Neighbors; k++)
+            foreach (var other in _near[path])
             {
-                var other = _near[path * Neighbors + k];
-                if (other < 0) break;
                 var a = _place[path];
                 var b = _place[other];
                 if (_reversible && (TryReverse(Math.Min(a, b) + 1, Math.Max(a, b), first) || TryReverse(Math.Min(a, b), Math.Max(a, b) - 1, first)))
@@ -173,7 +170,7 @@ internal sealed class TourImprover
     }
 
     // For each path the paths with the nearest ends, first those near its start.
-    private int[] NearPaths()
+    private int[][] NearPaths()
     {
         var ends = new Vec3[_order.Length * 2];
         foreach (var place in _order)
@@ -182,30 +179,28 @@ internal sealed class TourImprover
             ends[place.Index * 2 + 1] = _items[place.Index].Exit(place);
         }
         var tree = new EntryTree(ends);
-        var near = new int[_order.Length * Neighbors];
-        var taken = new int[Neighbors];
-        for (var path = 0; path < _order.Length; path++)
+        var near = new int[_order.Length][];
+        var found = new List<int>();
+        var taken = new List<int>();
+        for (var path = 0; path < near.Length; path++)
         {
-            var found = 0;
+            found.Clear();
+            tree.Remove(path * 2);
+            tree.Remove(path * 2 + 1);
             for (var end = 0; end < 2; end++)
             {
-                var removed = 0;
-                tree.Remove(path * 2);
-                tree.Remove(path * 2 + 1);
-                while (removed < Neighbors / 2)
+                taken.Clear();
+                while (taken.Count < Neighbors && tree.Nearest(ends[path * 2 + end]) is >= 0 and var nearest)
                 {
-                    var nearest = tree.Nearest(ends[path * 2 + end]);
-                    if (nearest < 0) break;
-                    taken[removed++] = nearest;
+                    taken.Add(nearest);
                     tree.Remove(nearest);
-                    var other = nearest / 2;
-                    if (Array.IndexOf(near, other, path * Neighbors, found) < 0) near[path * Neighbors + found++] = other;
                 }
-                while (removed > 0) tree.Restore(taken[--removed]);
-                tree.Restore(path * 2);
-                tree.Restore(path * 2 + 1);
+                foreach (var point in taken) tree.Restore(point);
+                found.AddRange(taken.Select(point => point / 2));
             }
-            for (; found < Neighbors; found++) near[path * Neighbors + found] = -1;
+            tree.Restore(path * 2);
+            tree.Restore(path * 2 + 1);
+            near[path] = [.. found.Distinct()];
         }
         return near;
     }
