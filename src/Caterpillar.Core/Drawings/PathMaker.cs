@@ -30,7 +30,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
             diagnostics.Add(Severity.Warning, "curves.too_short", "Curves without length are ignored.", source);
             return null;
         }
-        if (path.RawPoints.Any(p => p.Z < 0))
+        if (Array.Exists(path.RawPoints, p => p.Z < 0))
             diagnostics.Add(Severity.Warning, "curves.below_bed", $"A curve goes below the bed, to Z {NumberFormatter.Format(path.Bounds.Min.Z, 3)} mm.",
                 source);
         if (curve.Role == Role.Unspecified && curve.Layer is null && curve.Tool == 0 && curve.Name.Length == 0 && curve.Overrides is null) return path;
@@ -124,6 +124,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
     // Straight runs with one bead keep only their ends.
     private void DropInnerPoints(ref List<Vec3> points, ref List<Bead> extrusions)
     {
+        var all = points.ToArray();
         var kept = new List<int>();
         var keptPoints = new List<Vec3> { points[0] };
         var keptExtrusions = new List<Bead>();
@@ -131,7 +132,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         {
             for (end = i + 1; end < extrusions.Count && extrusions[end] == extrusions[i];) end++;
             kept.Clear();
-            LinearRuns.Keep(points, i, end, options.Subdivision.LinearTolerance, kept);
+            LinearRuns.Keep(all, i, end, options.Subdivision.LinearTolerance, kept);
             foreach (var k in kept)
             {
                 keptPoints.Add(points[k]);

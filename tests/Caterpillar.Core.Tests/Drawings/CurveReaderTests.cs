@@ -70,6 +70,27 @@ public class CurveReaderTests
         Assert.That(CurvePaths.ToPaths([curve]).Value!.Single().IsClosed, Is.True);
     }
 
+    // Longer than the room for few points, and more than one curve.
+    [TestCase("\n", true)]
+    [TestCase("\n", false)]
+    [TestCase("\r\n", true)]
+    [TestCase("\r", false)]
+    public void Long_curves_keep_all_points_whatever_ends_their_lines(string lineEnd, bool endsLast)
+    {
+        int[] counts = [3000, 1, 1500, 2];
+        var rows = counts.Select((count, n) => Enumerable.Range(0, count).Select(i => new Vec3(i, n + 0.5 * (i % 2), -0.25 * i)).ToArray()).ToArray();
+        static string Row(Vec3 p)
+            => $"{NumberFormatter.Format(p.X, 2)},{NumberFormatter.Format(p.Y, 2)},{NumberFormatter.Format(p.Z, 2)}{(p.X == 7 ? " " : "")}";
+        var text = string.Join(lineEnd + lineEnd, rows.Select(row => string.Join(lineEnd, row.Select(Row))));
+
+        var read = Read("x,y,z" + lineEnd + text + (endsLast ? lineEnd : ""), "long.csv");
+
+        Assert.That(read.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "curves.too_short" }));
+        var lines = read.Value!.Select(c => ((PolylineCurve)c.Curve).Polyline.Points);
+        Assert.That(lines, Is.EqualTo(rows.Where(row => row.Length > 1)));
+        Assert.That(read.Value!.Select(c => c.Source!.Line), Is.EqualTo(new[] { 2, 3005, 4506 }));
+    }
+
     [TestCase("x,y\n1,2\n1,nan\n", "3:3: error curves.not_finite")]
     [TestCase("x,y\n1,2\n1,1e999\n", "3:3: error curves.not_finite")]
     [TestCase("x,y\n1,2\n1,two\n", "3:3: error curves.number")]

@@ -9,13 +9,18 @@ internal sealed class CsvCurves(CurveSource source)
 {
     private const int MaxColumns = 64;
 
+    // For so many points there is room without a look at how many follow.
+    private const int Few = 1024;
+
     private readonly byte[] _bytes = source.Bytes;
     private readonly List<double>?[] _values = new List<double>?[CurveColumns.Settings];
     private readonly int[] _starts = new int[MaxColumns];
     private readonly int[] _ends = new int[MaxColumns];
     private CurveColumn[]? _columns;
     private byte _delimiter;
-    private readonly List<Vec3> _points = [];
+    private Vec3[] _points = [];
+    private int _count;
+    private byte _lineEnd;
     private int _curveLine;
     private int _line = 1;
     private int _lineStart;
@@ -32,12 +37,13 @@ internal sealed class CsvCurves(CurveSource source)
 
     private void ReadAll()
     {
-        var lineEnd = Array.IndexOf(_bytes, (byte)'\n') < 0 ? (byte)'\r' : (byte)'\n';
+        _lineEnd = Array.IndexOf(_bytes, (byte)'\n') < 0 ? (byte)'\r' : (byte)'\n';
         for (var at = ByteOrderMark.Length(_bytes); at < _bytes.Length; _line++)
         {
             if ((_line & 0x3FFF) == 0) source.Pulse(at, _bytes.Length);
             _lineStart = at;
-            var end = Array.IndexOf(_bytes, lineEnd, at);
+            if (_columns is { Length: 3 } && TryPoint(ref at)) continue;
+            var end = Array.IndexOf(_bytes, _lineEnd, at);
             if (end < 0) end = _bytes.Length;
             at = end + 1;
             if (!ReadLine(_lineStart, end)) return;
@@ -55,7 +61,6 @@ internal sealed class CsvCurves(CurveSource source)
             return true;
         }
         if (_bytes[start] == '#') return true;
-        if (_columns is { Length: 3 } && TryPoint(start, end)) return true;
         if (_delimiter == 0) _delimiter = DelimiterOf(start, end);
         var cells = Cells(start, end);
         if (cells < 0) return Fail("curves.csv", "A row has more than 64 cells.", start);
@@ -66,27 +71,47 @@ internal sealed class CsvCurves(CurveSource source)
         return Row(cells);
     }
 
-    // The row of most files, three plain numbers, without a look at its cells; any other is read as usual.
-    private bool TryPoint(int start, int end)
+    // The row of most files, three plain numbers, without a look for its end and its cells; any other is read as usual.
+    private bool TryPoint(ref int start)
     {
         if (!(_columns![0] == CurveColumn.X && _columns[1] == CurveColumn.Y && _columns[2] == CurveColumn.Z)) return false;
-        var at = NumberReader.Scan(_bytes, start, end, true, out var x);
-        if (at == start || at >= end || _bytes[at] != _delimiter) return false;
-        var second = at + 1;
-        at = NumberReader.Scan(_bytes, second, end, true, out var y);
-        if (at == second || at >= end || _bytes[at] != _delimiter) return false;
-        var third = at + 1;
-        at = NumberReader.Scan(_bytes, third, end, true, out var z);
-        if (at == third || at != end || double.IsInfinity(x) || double.IsInfinity(y) || double.IsInfinity(z)) return false;
+        var at = start;
+        if (!TryCell(ref at, _delimiter, out var x) || !TryCell(ref at, _delimiter, out var y) || !TryCell(ref at, _lineEnd, out var z)) return false;
+        start = at;
         Add(x, y, z);
+        return true;
+    }
+
+    private bool TryCell(ref int at, byte after, out double value)
+    {
+        var end = NumberReader.Scan(_bytes, at, _bytes.Length, true, out value);
+        if (end == at || double.IsInfinity(value)) return false;
+        if (after == '\n' && end < _bytes.Length && _bytes[end] == '\r') end++;
+        if (end < _bytes.Length ? _bytes[end] != after : after != _lineEnd) return false;
+        at = end + 1;
         return true;
     }
 
     private void Add(double x, double y, double z)
     {
-        if (_points.Count == 0) _curveLine = _line;
+        if (_count == 0) _curveLine = _line;
+        if (_count == _points.Length) Array.Resize(ref _points, _count < Few ? Few : _count + LinesFrom(_lineStart));
         var unit = source.Options.UnitLength;
-        _points.Add(new Vec3(x * unit, y * unit, z * unit));
+        _points[_count++] = new Vec3(x * unit, y * unit, z * unit);
+    }
+
+    // Lines from one on up to an empty one, which ends the curve.
+    private int LinesFrom(int start)
+    {
+        var lines = 0;
+        for (var at = start; at < _bytes.Length; at++)
+        {
+            if (_bytes[at] != _lineEnd) continue;
+            if (at == start) return lines;
+            start = at + 1;
+            lines++;
+        }
+        return start < _bytes.Length ? lines + 1 : lines;
     }
 
     // True if the row already holds values: then the columns are x, y and z.
@@ -130,7 +155,7 @@ internal sealed class CsvCurves(CurveSource source)
             return Fail("curves.csv", $"The row has {NumberFormatter.Format(cells)} cells instead of {NumberFormatter.Format(columns.Length)}.", _starts[0]);
         var key = Array.IndexOf(columns, CurveColumn.Key);
         if (key >= 0 && !SameKey(_starts[key], _ends[key])) EndCurve();
-        if (_points.Count == 0)
+        if (_count == 0)
         {
             _curveLine = _line;
             (_keyStart, _keyEnd) = key >= 0 ? (_starts[key], _ends[key]) : (0, 0);
@@ -145,7 +170,7 @@ internal sealed class CsvCurves(CurveSource source)
             if (column > CurveColumn.Z && value < 0 && column != CurveColumn.Layer) return Fail("curves.bead", CurveColumns.Negative, _starts[i]);
             if (column - CurveColumn.Area is >= 0 and < CurveColumns.Settings and var setting) _values[setting]!.Add(value);
             else if (column != CurveColumn.Dot) _row[(int)column] = value;
-            else if (value > 0) _dots.Add((_points.Count, value));
+            else if (value > 0) _dots.Add((_count, value));
         }
         if (Given(CurveColumn.Tool) is > 1000 || Given(CurveColumn.Layer) is > 1e8 or < -1e8)
             return Fail("curves.number", "The tool or layer number is out of range.", _starts[0]);
@@ -157,11 +182,14 @@ internal sealed class CsvCurves(CurveSource source)
 
     private void EndCurve()
     {
-        if (_points.Count == 0) return;
-        var points = _points.ToArray();
+        if (_count == 0) return;
+        var points = _points;
+        Array.Resize(ref points, _count);
         var columns = Array.ConvertAll(_values, v => v?.ToArray());
         foreach (var column in _values) column?.Clear();
-        _points.Clear();
+        // A full array is the curve's now.
+        if (_count == _points.Length) _points = [];
+        _count = 0;
         if (_dots.Count == 0)
         {
             Add(points, columns, 0);
@@ -207,7 +235,7 @@ internal sealed class CsvCurves(CurveSource source)
 
     private bool SameKey(int start, int end)
     {
-        if (_points.Count == 0) return true;
+        if (_count == 0) return true;
         if (end - start != _keyEnd - _keyStart) return false;
         for (var i = 0; i < end - start; i++)
         {

@@ -65,35 +65,24 @@ public static class CurveSubdivider
         public Subdivision Polyline(PolylineCurve curve)
         {
             var source = curve.Polyline.Raw;
-            if (curve.Polyline.IsClosed == curve.IsClosed && KeepsAll(source, curve.IsClosed))
-                return new Subdivision(source, curve.IsClosed, Enumerable.Repeat(true, curve.Polyline.SegmentCount).ToArray(), null);
-            var count = curve.Polyline.SegmentCount + 1;
-            var points = new Vec3[count];
-            var used = 0;
-            for (var i = 0; i < count; i++)
-            {
-                var point = source[i == source.Length ? 0 : i];
-                if (used == 0 || point != points[used - 1]) points[used++] = point;
-            }
-            if (used == 1) return new Subdivision([points[0], points[0]], false, [true], null);
-            var kept = new List<int> { 0 };
-            LinearRuns.Keep(points, 0, used - 1, options.LinearTolerance, kept);
-            _points.Capacity = kept.Count;
-            foreach (var i in kept) _points.Add(points[i]);
-            for (var i = 1; i < kept.Count; i++) _linear.Add(true);
-            return Finish(curve.IsClosed);
+            var points = Distinct(curve.Polyline.IsClosed ? [.. source, source[0]] : source);
+            if (points.Length == 1) return new Subdivision([points[0], points[0]], false, [true], null);
+            var kept = new List<int>(points.Length) { 0 };
+            LinearRuns.Keep(points, 0, points.Length - 1, options.LinearTolerance, kept);
+            var ends = points;
+            if (kept.Count < points.Length) ends = new Vec3[kept.Count];
+            for (var i = 0; i < ends.Length; i++) ends[i] = points[kept[i]];
+            return Joined(ends, curve.IsClosed, [.. Enumerable.Repeat(true, ends.Length - 1)], null);
         }
 
-        // True if no point repeats the previous one or lies on a straight run.
-        private bool KeepsAll(Vec3[] points, bool closed)
+        // The same array if no point repeats the previous one.
+        private static Vec3[] Distinct(Vec3[] points)
         {
-            if (closed && points.Length < 4) return false;
             for (var i = 1; i < points.Length; i++)
             {
-                if (points[i] == points[i - 1] || (i > 1 && LinearRuns.IsStraight(points, i - 2, i, options.LinearTolerance))) return false;
+                if (points[i] == points[i - 1]) return [.. points.Where((p, k) => k == 0 || p != points[k - 1])];
             }
-            var last = points.Length - 1;
-            return !closed || (points[0] != points[last] && !LinearRuns.IsStraight([points[last - 1], points[last], points[0]], 0, 2, options.LinearTolerance));
+            return points;
         }
 
         public void Linear(List<CurveSpan> spans, int first, int end)
@@ -118,13 +107,15 @@ public static class CurveSubdivider
             foreach (var point in run.Divide()) Add(point, false);
         }
 
-        public Subdivision Finish(bool closed)
+        public Subdivision Finish(bool closed) => Joined(_points.ToArray(), closed, _linear.ToArray(), _arcs?.ToArray());
+
+        private static Subdivision Joined(Vec3[] points, bool closed, bool[] linear, Arc?[]? arcs)
         {
-            var count = _points.Count;
+            var last = points.Length - 1;
             // A closed curve of two straight segments goes back on itself and stays open.
-            if (closed && count > (_arcs is null ? 3 : 2) && _points[0].DistanceTo(_points[count - 1]) <= Curve.JoinTolerance) _points.RemoveAt(count - 1);
-            else closed = false;
-            return new Subdivision(_points.ToArray(), closed, _linear.ToArray(), _arcs?.ToArray());
+            closed &= last >= (arcs is null ? 3 : 2) && points[0].DistanceTo(points[last]) <= Curve.JoinTolerance;
+            if (closed) Array.Resize(ref points, last);
+            return new Subdivision(points, closed, linear, arcs);
         }
 
         private void Add(Vec3 point, bool linear, Arc? arc = null)

@@ -7,7 +7,7 @@ internal static class LinearRuns
     /// Adds the numbers of the points of <paramref name="points"/> from <paramref name="first"/> to <paramref name="last"/> to keep, without the first. A run
     /// grows while all its points lie within the tolerance of the chord and none goes back; runs are tried in doubling steps, so that long ones cost little.
     /// </summary>
-    public static void Keep(IReadOnlyList<Vec3> points, int first, int last, double tolerance, List<int> kept)
+    public static void Keep(Vec3[] points, int first, int last, double tolerance, List<int> kept)
     {
         for (var start = first; start < last;)
         {
@@ -36,7 +36,7 @@ internal static class LinearRuns
     }
 
     /// <summary>True if the points between two others lie along the chord, in order and within the tolerance.</summary>
-    public static bool IsStraight(IReadOnlyList<Vec3> points, int start, int end, double tolerance)
+    private static bool IsStraight(Vec3[] points, int start, int end, double tolerance)
     {
         var from = points[start];
         var chord = points[end] - from;
