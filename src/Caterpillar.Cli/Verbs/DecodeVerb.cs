@@ -103,13 +103,23 @@ internal sealed class DecodeVerb : Verb
     {
         var name = Session.NameOf(file);
         using var plain = GzipReader.Open(session.OpenRead(file));
-        using var sum = hash && HasSha256 ? SHA256.Create() : null;
+        hash &= HasSha256;
+        // A file is read again for its hash while it is decoded: without its end, decoding would have to wait for the whole text.
+        var beside = hash && plain.CanSeek ? Task.Run(() => HashOf(file, session)) : null;
+        using var sum = hash && beside is null ? SHA256.Create() : null;
         using var stream = sum is null ? plain : new CryptoStream(plain, sum, CryptoStreamMode.Read);
         var result = session.Decode(stream, name, options);
         if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.compression", name)]);
         var decoding = session.GCodeOrFail(result);
         var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
         if (sum is not null) stream.CopyTo(Stream.Null);
-        return (name, decoding, report with { Sha256 = sum is null ? "" : Convert.ToHexStringLower(sum.Hash!) });
+        var bytes = beside?.GetAwaiter().GetResult() ?? sum?.Hash ?? [];
+        return (name, decoding, report with { Sha256 = Convert.ToHexStringLower(bytes) });
+    }
+
+    private static byte[] HashOf(string file, Session session)
+    {
+        using var stream = session.OpenRead(file);
+        return SHA256.HashData(stream);
     }
 }
