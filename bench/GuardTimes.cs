@@ -102,7 +102,7 @@ internal sealed class GuardTimes
 
     private void WriteAndRead()
     {
-        using var back = new ReadBack(_plan, _setup, _format, null, int.MaxValue, default);
+        using var back = new ReadBack(_plan, _setup, _format, null, true, default);
         back.Write(_plan);
         back.End(_format);
         back.Finish(null);

@@ -6,10 +6,11 @@ namespace Caterpillar.Jobs;
 /// </summary>
 public sealed class PrintJob : IDisposable
 {
-    private Overlap? _overlap;
+    private PrintPipeline? _pipeline;
+    private PlanTiming? _timing;
 
-    private PrintJob(Plan plan, Toolpath toolpath, PrintSetup setup, int layers, Overlap? overlap)
-        => (Plan, Toolpath, Setup, Layers, _overlap) = (plan, toolpath, setup, layers, overlap);
+    private PrintJob(Plan plan, Toolpath toolpath, PrintSetup setup, int layers, PrintPipeline? pipeline)
+        => (Plan, Toolpath, Setup, Layers, _pipeline) = (plan, toolpath, setup, layers, pipeline);
 
     /// <summary>The plan, with the number of uses of each rule.</summary>
     public Plan Plan { get; }
@@ -65,25 +66,25 @@ public sealed class PrintJob : IDisposable
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         options ??= new PrintJobOptions();
         if (options.Onto is not null) return SliceOnto(models, setup, options, progress, cancel);
-        var overlap = new Overlap(setup, options.Planning, cancel);
+        var pipeline = new PrintPipeline(setup, options.Planning, cancel);
         try
         {
             var slicing = new SliceOptions
             {
                 Threads = options.Threads, Memory = options.Memory, InfillLines = options.InfillLines,
                 Printer = setup.Settings.PurgeTower ? PrimedArea.Excluded(setup, isForTower: true) : setup.Printer,
-                Take = layers => overlap.Pipeline.Add([.. layers.SelectMany(l => l.Steps)]),
+                Take = layers => pipeline.Add([.. layers.SelectMany(l => l.Steps)]),
             };
             var sliced = PlanarSlicer.SliceEach(models, setup.Settings, slicing, progress, cancel);
             if (sliced.Value is not { } layers) return new Result<PrintJob>(null, sliced.Diagnostics);
-            var job = After(sliced.Diagnostics, Planned(overlap.Pipeline.Finish(), setup, options, layers.Layers.Count, overlap, null, cancel));
+            var job = After(sliced.Diagnostics, Planned(pipeline.Finish(), setup, options, layers.Layers.Count, pipeline, null, cancel));
             // What was tilted is another toolpath than the one that has been checked so far.
-            if (job.Value?._overlap is not null) overlap = null;
+            if (job.Value?._pipeline is not null) pipeline = null;
             return job;
         }
         finally
         {
-            overlap?.Dispose();
+            pipeline?.Dispose();
         }
     }
 
@@ -180,16 +181,17 @@ public sealed class PrintJob : IDisposable
     {
         Result<WrittenGCode>? written = null;
         // What was checked before the file was written counts once.
-        using var overlap = Interlocked.Exchange(ref _overlap, null);
+        using var pipeline = Interlocked.Exchange(ref _pipeline, null);
+        var timing = Interlocked.Exchange(ref _timing, null);
         BinaryGCode.WriteAs(name, stream, text => written = Text(text), cancel);
         return written!;
 
-        Result<WrittenGCode> Text(Stream text) => overlap is not null ? overlap.Write(text, isDraft, reason, progress, cancel)
-            : SafeWriter.Write(Toolpath, Setup, text, reason, progress, cancel, isDraft);
+        Result<WrittenGCode> Text(Stream text) => pipeline is not null ? pipeline.Write(text, isDraft, reason, progress, cancel)
+            : SafeWriter.Write(Toolpath, Setup, text, reason, progress, cancel, isDraft, (null, timing));
     }
 
     /// <summary>Stops checks that are still running.</summary>
-    public void Dispose() => _overlap?.Dispose();
+    public void Dispose() => _pipeline?.Dispose();
 
     private static Result<PrintJob> Draw(
         IReadOnlyList<Step> steps, PrintSetup setup, PrintJobOptions options, int layers, IProgress<double>? progress, CancellationToken cancel)
@@ -206,8 +208,11 @@ public sealed class PrintJob : IDisposable
             progress = progress.Part(0.5, 1);
         }
         if (options.Onto is not null) setup = OverObjects(setup) with { PrintedOn = options.Onto };
-        var plan = Planner.PlanWithReport(steps, setup, options.Planning, progress, cancel);
-        return After(found, Planned(plan, setup, options, layers, null, null, cancel));
+        var timing = new PlanTiming(setup, cancel);
+        var plan = Planner.PlanWithReport(steps, setup, options.Planning with { Follow = timing.Take }, progress, cancel);
+        var job = Planned(plan, setup, options, layers, null, null, cancel);
+        if (job.Value is { } drawn && ReferenceEquals(drawn.Toolpath, drawn.Plan.Toolpath)) drawn._timing = timing;
+        return After(found, job);
     }
 
     // Loops around the part, rafts and towers are for beds.
@@ -223,7 +228,7 @@ public sealed class PrintJob : IDisposable
     }
 
     private static Result<PrintJob> Planned(
-        Result<Plan> planned, PrintSetup setup, PrintJobOptions options, int layers, Overlap? overlap, LayerField? field, CancellationToken cancel)
+        Result<Plan> planned, PrintSetup setup, PrintJobOptions options, int layers, PrintPipeline? pipeline, LayerField? field, CancellationToken cancel)
     {
         if (planned.Value is not { } plan) return new Result<PrintJob>(null, planned.Diagnostics);
         var toolpath = plan.Toolpath;
@@ -231,7 +236,7 @@ public sealed class PrintJob : IDisposable
         toolpath = aim?.Direction is not null && setup.Printer.Kinematics is not null ? TiltedTool.Apply(toolpath, setup, aim, null, cancel)
             : setup.Printer.Turned(toolpath, cancel);
         return new Result<PrintJob>(
-            new PrintJob(plan, toolpath, setup, layers, ReferenceEquals(toolpath, plan.Toolpath) ? overlap : null), planned.Diagnostics);
+            new PrintJob(plan, toolpath, setup, layers, ReferenceEquals(toolpath, plan.Toolpath) ? pipeline : null), planned.Diagnostics);
     }
 
     // Over objects and curved layers the head is lifted by what lies under its course, unless travels are not lifted at all.
@@ -239,30 +244,4 @@ public sealed class PrintJob : IDisposable
         : setup with { Settings = setup.Settings with { ZHopType = ZHopType.AbovePath } };
 
     private static Result<PrintJob> After(IReadOnlyList<Diagnostic> earlier, Result<PrintJob> job) => new(job.Value, [.. earlier, .. job.Diagnostics]);
-
-    /// <summary>Planning and checks in parallel with slicing. Both the slicing call and the writing call can cancel them.</summary>
-    private sealed class Overlap : IDisposable
-    {
-        private readonly CancellationTokenSource _stop;
-
-        public Overlap(PrintSetup setup, PlanOptions options, CancellationToken cancel)
-        {
-            _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
-            Pipeline = new PrintPipeline(setup, options, _stop.Token);
-        }
-
-        public PrintPipeline Pipeline { get; }
-
-        public Result<WrittenGCode> Write(Stream stream, bool isDraft, string? reason, IProgress<double>? progress, CancellationToken cancel)
-        {
-            using var canceled = cancel.Register(_stop.Cancel);
-            return Pipeline.Write(stream, isDraft, reason, progress);
-        }
-
-        public void Dispose()
-        {
-            Pipeline.Dispose();
-            _stop.Dispose();
-        }
-    }
 }

@@ -6,6 +6,7 @@ using System.Text;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
+using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -39,6 +40,43 @@ public sealed class FollowedChecksTests
         Assert.That(expected.Select(d => d.Code), Does.Contain(CheckCodes.TravelHits).And.Contain(CheckCodes.Unsupported));
         Assert.That(expected.Single(d => d.Code == CheckCodes.TravelHits).Count, Is.GreaterThan(2), "in the first block and in the last");
         Assert.That(written.Diagnostics.Where(IsOfPrints).Select(Told), Is.EqualTo(expected));
+    }
+
+    // Then the heights of its extrusions make the layers: those of the plan, unless other lines print between them or begin layers.
+    [TestCase("")]
+    [TestCase("G1 X21 Y30 Z0.3 F600\nG1 X21 Y31 E0.05")]
+    [TestCase(";LAYER:7")]
+    public void A_print_without_layers_has_the_findings_of_the_whole_file(string raw)
+    {
+        var toolpath = Long(null);
+        if (raw.Length > 0) toolpath = toolpath.Insert(toolpath.Count - 100, new RawEvent(raw));
+        var file = SmallPrint.Written(toolpath, Setup).File;
+        var whole = PrintCheck.Run(file.Toolpath.With(tools: toolpath.Tools), Setup);
+
+        var written = SafeWriter.Write(toolpath, Setup, new MemoryStream(), isDraft: true);
+
+        var expected = whole.Where(IsOfPrints).Select(Told).ToArray();
+        Assert.That(expected.Select(d => d.Code), Does.Contain(CheckCodes.TravelHits).And.Contain(CheckCodes.Unsupported));
+        Assert.That(written.Diagnostics.Where(IsOfPrints).Select(Told), Is.EqualTo(expected));
+    }
+
+    // Purging in start code is a layer, too, if it is printed at a height of its own.
+    [Test]
+    public void Blocks_of_a_file_without_layers_know_their_thickness_from_the_heights_of_the_plan()
+    {
+        var toolpath = Long(null);
+        var text = "M83\nG1 X1 Y1 Z0.7 F600\nG1 X9 E1\n" + SmallPrint.Written(toolpath, Setup).Text;
+        var blocks = new List<DecodedBlock>();
+        var options = new DecodeOptions { Take = blocks.Add, Heights = FlatHeights.Of(toolpath, 3) };
+
+        var file = GCodeDecoder.DecodeStream(new MemoryStream(Encoding.UTF8.GetBytes(text)), options).Value!;
+
+        Assert.That(file.HasExpectedLayers);
+        Assert.That(blocks, Has.Count.GreaterThan(1));
+        Assert.That(blocks.Select(b => b.Thicknesses), Is.All.EqualTo(file.Toolpath.Layers.Select(l => l.Thickness)));
+        var other = GCodeDecoder.DecodeStream(new MemoryStream(Encoding.UTF8.GetBytes(text)), options with { Heights = [0.2, 99] }).Value!;
+        Assert.That(other.HasExpectedLayers, Is.False);
+        Assert.That(other.Toolpath.Layers, Is.EqualTo(file.Toolpath.Layers));
     }
 
     // Only its end says how high a print is.
@@ -86,14 +124,14 @@ public sealed class FollowedChecksTests
     private const double At = 35;
 
     // Lines of 2 mm beside each other in layers; a travel through what is printed near the beginning, twice near the end, and extrusions in the air.
-    private static Toolpath Long(double thickness)
+    private static Toolpath Long(double? thickness)
     {
         const int Lines = 1100, Layers = 62;
         var print = new SmallPrint();
         for (var layer = 0; layer < Layers; layer++)
         {
             var z = 0.2 * (layer + 1);
-            print.InLayer(new Layer(layer, z, thickness, ""));
+            if (thickness is { } height) print.InLayer(new Layer(layer, z, height, ""));
             print.Over(20, 20, z);
             for (var i = 0; i < Lines / 2; i++)
             {

@@ -153,6 +153,16 @@ public sealed class PrintPipelineTests
     }
 
     [Test]
+    public void A_canceled_timing_of_a_plan_says_so()
+    {
+        var (timing, plan) = (new PlanTiming(Plain, new CancellationToken(true)), new SmallPrint().Print(30, 10, 0.2).Build());
+        Assert.That(timing.Finish(), Is.Null, "nothing was planned");
+        timing.Take(plan);
+        timing.Take(plan);
+        Assert.That(() => timing.Finish(), Throws.InstanceOf<OperationCanceledException>());
+    }
+
+    [Test]
     public void It_stops_when_it_is_canceled_or_no_longer_wanted()
     {
         var layers = Print(false);

@@ -41,6 +41,26 @@ public class PrintJobTests
         Assert.That(File.ReadAllBytes(folder.File("again.gcode")), Is.EqualTo(File.ReadAllBytes(folder.File("parts.gcode"))));
     }
 
+    // It is timed while it is still being planned.
+    [Test]
+    public void A_long_drawing_is_the_file_of_planning_and_writing()
+    {
+        const int Points = 70_000;
+        var points = Enumerable.Range(0, Points).Select(i => new Vec3(20 + i / 2 % 350 * 0.5, 20 + (i + 1) / 2 % 2, 0.2 * (1 + i / 700)));
+        Step[] steps = [new PathStep(new PrintPath(points, new Bead(0.08, 0.2, 30)))];
+        var plan = Planner.Plan(steps, Setup).OrThrow();
+        Assert.That(plan.Blocks.Count, Is.GreaterThan(1));
+        using var alone = new MemoryStream();
+        var expected = SafeWriter.Write(plan, Setup, alone, "a test");
+
+        using var written = new MemoryStream();
+        using var job = PrintJob.Draw(steps, Setup).OrThrow();
+        var found = job.Write(written, "a.gcode", reason: "a test");
+
+        Assert.That(found.Value!.PrintTime, Is.EqualTo(expected.Value!.PrintTime));
+        Assert.That(written.ToArray(), SameBytes.As(alone.ToArray()));
+    }
+
     [Test]
     public void A_job_that_is_not_written_can_be_thrown_away()
         => PrintJob.Slice(Model("bracket.stl"), Setup).OrThrow().Dispose();

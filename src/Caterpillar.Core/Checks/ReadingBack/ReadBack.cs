@@ -17,6 +17,7 @@ internal sealed class ReadBack : IDisposable
     private readonly PlanComparison? _comparison;
     private readonly MoveChecks _checks;
     private readonly Task<DecodedGCode> _reading;
+    private readonly bool _isWhole;
     private readonly bool _isChecked;
     private Toolpath _plan;
     private WrittenPlaces? _places;
@@ -27,19 +28,18 @@ internal sealed class ReadBack : IDisposable
     /// <param name="setup">The printer, material and settings.</param>
     /// <param name="format">The format of the file.</param>
     /// <param name="stream">The file; null = only check.</param>
-    /// <param name="waiting">Number of blocks that wait to be checked, at most; the writer waits for them, too.</param>
+    /// <param name="isWhole">True if the plan is complete. Otherwise it waits while much of it is not checked yet.</param>
     /// <param name="cancel">Cancels.</param>
     /// <param name="isChecked">True if the plan was checked before: what it prints is not looked at again.</param>
     public ReadBack(
-        Toolpath plan, PrintSetup setup, GCodeFormat format, Stream? stream, int waiting, CancellationToken cancel, bool isChecked = false)
+        Toolpath plan, PrintSetup setup, GCodeFormat format, Stream? stream, bool isWhole, CancellationToken cancel, bool isChecked = false)
     {
-        _isChecked = isChecked;
-        (_plan, _setup, _format, _cancel) = (plan, setup, format, cancel);
+        (_plan, _setup, _format, _cancel, _isWhole, _isChecked) = (plan, setup, format, cancel, isWhole, isChecked);
         _text = new PipedStream(stream, _pipe);
         _writer = new GCodeWriter(plan, format) { Written = Lines };
         _compared = NewFindings();
         if (_compared.LooksFor(PlanComparison.Codes)) _comparison = new PlanComparison(plan, format, Lines, _compared);
-        _checks = new MoveChecks(setup, plan.Tools, NewFindings, cancel, waiting, !isChecked);
+        _checks = new MoveChecks(setup, plan.Tools, NewFindings, cancel, isWhole ? int.MaxValue : MoveChecks.FewBlocks, !isChecked);
         _reading = OwnThread.Run(Decode);
     }
 
@@ -90,7 +90,7 @@ internal sealed class ReadBack : IDisposable
         var scope = CheckScope.OfWritten(file, _setup) with { FirstLine = Lines.Before(0, -1) + 1, IsOwnLine = IsOwnLine };
         var timing = OwnThread.Run(() => Time(read));
         // Start and end code that print are looked at together with the plan.
-        using var all = _isChecked && ToolpathTotals.Of(read).PrintMoves != ToolpathTotals.Of(_plan).PrintMoves
+        using var all = !file.HasExpectedLayers || (_isChecked && ToolpathTotals.Of(read).PrintMoves != ToolpathTotals.Of(_plan).PrintMoves)
             ? new MoveChecks(_setup, read.Tools, NewFindings, _cancel) : null;
         var checks = (all ?? _checks).Finish(read, scope, progress);
         Read = (read, OwnThread.Join(timing));
@@ -103,8 +103,10 @@ internal sealed class ReadBack : IDisposable
 
     private double Time(Toolpath file)
     {
-        var planner = new MotionPlanner(file, _setup, timesOnly: true);
+        var planner = new MotionPlanner(file, _setup, timesOnly: true, (_, _) => { });
         planner.Take(file, null, _cancel);
+        // The figures of the file are asked for next.
+        _ = ToolpathTotals.Of(file);
         return planner.End().Motion.TotalTime;
     }
 
@@ -141,6 +143,7 @@ internal sealed class ReadBack : IDisposable
         var options = new DecodeOptions
         {
             Flavor = _setup.Printer.Flavor, FilamentDiameter = _setup.Material.FilamentDiameter, Take = Take,
+            Heights = _isWhole ? FlatHeights.Of(_plan, _setup.Printer.DecimalsXyz) : null,
             // Another one writes.
             Threads = Math.Max(Environment.ProcessorCount - 1, 1),
         };

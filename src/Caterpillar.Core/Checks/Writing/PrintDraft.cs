@@ -6,7 +6,7 @@ namespace Caterpillar.Checks;
 /// </summary>
 internal sealed class PrintDraft : IDisposable
 {
-    // Parts of the plan that wait to be written, at most; and blocks that wait to be checked.
+    // Parts of the plan that wait to be written, at most.
     private const int Waiting = 8;
     private readonly BlockingCollection<Toolpath> _planned = new(Waiting);
     private readonly CancellationToken _cancel;
@@ -19,7 +19,7 @@ internal sealed class PrintDraft : IDisposable
     private PrintDraft(Toolpath soFar, PrintSetup setup, GCodeFormat format, CancellationToken cancel)
     {
         _cancel = cancel;
-        _back = new ReadBack(soFar, setup, format, _text, Waiting, cancel);
+        _back = new ReadBack(soFar, setup, format, _text, false, cancel);
         _writing = OwnThread.Run(Write);
     }
 

@@ -9,11 +9,10 @@ internal sealed class PrintPipeline : IDisposable
     // Batches that wait to be planned, at most: their steps take more memory than their moves.
     private const int Waiting = 16;
     private readonly BlockingCollection<IReadOnlyList<Step>> _batches = new(Waiting);
-    private readonly CancellationToken _cancel;
     private readonly CancellationTokenSource _stop;
     private readonly PrintSetup _setup;
     private readonly Task<Result<Plan>> _planning;
-    private MotionPlanner? _timing;
+    private PlanTiming? _timing;
     private PrintDraft? _draft;
 
     /// <param name="setup">The printer, material and settings.</param>
@@ -22,8 +21,8 @@ internal sealed class PrintPipeline : IDisposable
     public PrintPipeline(PrintSetup setup, PlanOptions? options = null, CancellationToken cancel = default)
     {
         _setup = setup;
-        _cancel = cancel;
         _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
+        _timing = new PlanTiming(setup, _stop.Token);
         _planning = OwnThread.Run(() => Plan(setup, options));
     }
 
@@ -33,8 +32,8 @@ internal sealed class PrintPipeline : IDisposable
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public void Add(IReadOnlyList<Step> steps)
     {
-        _cancel.ThrowIfCancellationRequested();
-        while (!_planning.IsCompleted && !_batches.TryAdd(steps, 20, _cancel))
+        _stop.Token.ThrowIfCancellationRequested();
+        while (!_planning.IsCompleted && !_batches.TryAdd(steps, 20, _stop.Token))
         {
         }
     }
@@ -52,16 +51,19 @@ internal sealed class PrintPipeline : IDisposable
     /// <param name="isDraft">True if the caller deletes a refused file.</param>
     /// <param name="reason">Why errors of the checks are ignored; null = do not write if there are errors.</param>
     /// <param name="progress">0 to 1.</param>
+    /// <param name="cancel">Cancels.</param>
     /// <exception cref="InvalidOperationException">There is no plan.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public Result<WrittenGCode> Write(Stream stream, bool isDraft, string? reason = null, IProgress<double>? progress = null)
+    public Result<WrittenGCode> Write(
+        Stream stream, bool isDraft, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
+        using var canceled = cancel.Register(_stop.Cancel);
         var plan = Finish().Value ?? throw new InvalidOperationException("Planning failed, so nothing can be written.");
         using var draft = _draft;
         var begun = (draft, _timing);
         // Good for one file: the next is timed and checked from the beginning.
         (_draft, _timing) = (null, null);
-        return SafeWriter.Write(plan.Toolpath, _setup, stream, reason, progress, _cancel, isDraft, begun);
+        return SafeWriter.Write(plan.Toolpath, _setup, stream, reason, progress, _stop.Token, isDraft, begun);
     }
 
     /// <summary>Stops unfinished work and waits for its end.</summary>
@@ -92,12 +94,8 @@ internal sealed class PrintPipeline : IDisposable
 
     private void Take(Toolpath soFar)
     {
-        if (soFar.Blocks.Count == 1)
-        {
-            _draft = PrintDraft.Begin(soFar, _setup, _cancel);
-            _timing = new MotionPlanner(soFar, _setup, timesOnly: true);
-        }
+        if (soFar.Blocks.Count == 1) _draft = PrintDraft.Begin(soFar, _setup, _stop.Token);
+        _timing?.Take(soFar);
         _draft?.Take(soFar);
-        _timing?.Take(soFar, null, _stop.Token);
     }
 }

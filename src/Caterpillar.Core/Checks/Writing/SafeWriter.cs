@@ -37,7 +37,7 @@ public static class SafeWriter
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     internal static Result<WrittenGCode> Write(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default,
-        bool isDraft = false, (PrintDraft? Draft, MotionPlanner? Timing) begun = default, bool isChecked = false)
+        bool isDraft = false, (PrintDraft? Draft, PlanTiming? Timing) begun = default, bool isChecked = false)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -51,7 +51,7 @@ public static class SafeWriter
         }
         var format = SetupFormat.Of(setup, toolpath);
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
-        var (timed, seconds) = ProgressCommands.Add(toolpath, setup, begun.Timing, cancel);
+        var (timed, seconds) = ProgressCommands.Add(toolpath, setup, begun.Timing?.Finish(), cancel);
         foreach (var mapping in setup.Printer.AxisMappings) timed = mapping.Apply(timed, null, cancel);
         timed = setup.Printer.ToMachine(timed, cancel);
         var plain = format.Value with { Facts = FileFacts.Of(timed, setup, format.Value, seconds, cancel) };
@@ -87,7 +87,7 @@ public static class SafeWriter
             if (stream is not null) writer.WriteAll(stream, progress, cancel);
             return new CheckedGCode([], writer.Lines, writer.Bytes, null);
         }
-        using var back = new ReadBack(toolpath, setup, format, stream, int.MaxValue, cancel, isChecked);
+        using var back = new ReadBack(toolpath, setup, format, stream, true, cancel, isChecked);
         back.Write(toolpath, progress.Part(0, 0.5));
         back.End(format);
         return new CheckedGCode(back.Finish(progress.Part(0.5, 1)), back.Size.Lines, back.Size.Bytes, back.Read);

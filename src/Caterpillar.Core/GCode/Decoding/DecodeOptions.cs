@@ -24,6 +24,9 @@ public sealed record DecodeOptions
     /// </summary>
     internal Action<DecodedBlock>? Take { get; init; }
 
+    /// <summary>Heights of the flat extrusions of a file without layer comments, mm: those who take blocks know its layers. Null = unknown.</summary>
+    internal IEnumerable<double>? Heights { get; init; }
+
     /// <summary>False where nobody needs all moves: the toolpath has none. For those who take them, all layers are one, which a comment begins.</summary>
     internal bool KeepsMoves { get; init; } = true;
 

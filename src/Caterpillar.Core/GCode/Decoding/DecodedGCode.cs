@@ -95,6 +95,9 @@ public sealed class DecodedGCode
     /// <summary>First line of the first layer. 0 = none.</summary>
     internal int FirstLayerLine { get; init; }
 
+    /// <summary>False if those who took blocks were told of other layers.</summary>
+    internal bool HasExpectedLayers { get; init; } = true;
+
     /// <summary>Lines of the first and of the last extrusion of a layer. The largest number and 0 = none.</summary>
     internal (int First, int Last) PrintLines
     {

@@ -111,6 +111,7 @@ public static class GCodeDecoder
         var axis = input.Axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
         interpreter.Machine.Moves.Begin(options.NewBlocks, options.Take, options.Sums);
+        interpreter.Machine.Moves.Layers.Heights = options.Heights;
         interpreter.Machine.Moves.Layers.AreAlike = options is { KeepsMoves: false, Take: not null };
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != input.Axis && (input.Axis == ExtrusionAxis.E || input.Axis == ExtrusionAxis.Switched))
@@ -165,6 +166,7 @@ public static class GCodeDecoder
                 Axis = axis,
                 LastModeLine = interpreter.Machine.LastModeLine,
                 FirstLayerLine = interpreter.Comments.FirstLayerLine,
+                HasExpectedLayers = interpreter.Machine.Moves.Layers.AreExpected,
                 NotGCode = none is null || name.Length == 0 ? none : none with { Source = new SourceLocation(name) },
             },
             diagnostics);

@@ -24,7 +24,8 @@ internal sealed class MoveEmitter
         _rules = rules;
         _counts = counts;
         _tools = Array.ConvertAll(rules.Tools, t => new ToolpathTool(t.VolumePerE));
-        _builder = take is null ? new ToolpathBuilder(MoveSource.Steps, start) { Memory = options.Memory }
+        Action? followed = options.Follow is { } follow ? () => GiveOn(follow) : null;
+        _builder = take is null ? new ToolpathBuilder(MoveSource.Steps, start) { Memory = options.Memory, Filled = followed }
             : new ToolpathBuilder(MoveSource.Steps, start)
             {
                 Moves = new(ToolpathBlock.FollowedSize, ToolpathBuilder.FirstSize, ToolpathBlock.FileFor(options.Memory)), Filled = () => GiveOn(take),

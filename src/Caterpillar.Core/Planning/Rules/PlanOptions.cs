@@ -29,4 +29,7 @@ public sealed record PlanOptions
     /// An object on the bed to print on. Travel moves stay above it, and the first one rises before it goes there. Null = the object of the setup.
     /// </summary>
     public TriMesh? Obstacle { get; init; }
+
+    /// <summary>Takes the toolpath as far as it is planned, again and again, on the thread that plans. Null = nobody.</summary>
+    internal Action<Toolpath>? Follow { get; init; }
 }

@@ -59,7 +59,7 @@ internal sealed class MotionColumns
         var first = FirstOf(move);
         _goneTime = StartTime(first);
         Array.Copy(EndTime, first - _gone, EndTime, 0, Count - first);
-        Array.Copy(_speeds, first - _gone, _speeds, 0, Count - first);
+        if (HasSpeeds) Array.Copy(_speeds, first - _gone, _speeds, 0, Count - first);
         Array.Copy(First, move - _goneMoves, First, 0, First.Length - (move - _goneMoves));
         (_goneMoves, _gone) = (move, first);
     }

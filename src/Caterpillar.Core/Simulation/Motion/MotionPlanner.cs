@@ -219,7 +219,7 @@ internal sealed class MotionPlanner
             move.E = Math.Sign(e);
             move.InPlace = true;
         }
-        Run(move, length);
+        Run(ref move, length);
     }
 
     // With rotary axes: what each axis does along a mm of the path of the tip, or along a degree where the tip stands.
@@ -242,10 +242,10 @@ internal sealed class MotionPlanner
             move.MostSpeed = Math.Min(move.MostSpeed, axis.MaxSpeed / part);
             move.MostAcceleration = Math.Min(move.MostAcceleration, axis.MaxAcceleration / part);
         }
-        Run(move, along);
+        Run(ref move, along);
     }
 
-    private void Run(StraightMove move, double length)
+    private void Run(ref StraightMove move, double length)
     {
         // A move without displacement takes no time.
         if (length == 0) return;
@@ -255,8 +255,7 @@ internal sealed class MotionPlanner
         if (move.MostAcceleration > 0) move.Acceleration = Math.Min(move.Acceleration, move.MostAcceleration);
         if (_count == _run.Length) Array.Resize(ref _run, 2 * _count);
         ref var s = ref _run[_count];
-        s = new MotionSegment { Length = length, Acceleration = move.Acceleration, Speed2 = move.Speed * move.Speed };
-        s.Rest2 = move.Rest * move.Rest;
+        (s.Length, s.Acceleration, s.Speed2, s.Rest2) = (length, move.Acceleration, move.Speed * move.Speed, move.Rest * move.Rest);
         s.SlowGain = _rules.SlowGain(move);
         s.Entry2 = _before.Length > 0 ? _rules.Corner2(_before, move) : s.Rest2;
         _before = move;

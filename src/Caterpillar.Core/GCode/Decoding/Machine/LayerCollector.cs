@@ -13,6 +13,14 @@ internal sealed class LayerCollector
     private double _previousZ = double.NaN;
     private bool _used;
     private int _marks;
+    private double[]? _expected;
+    private bool _hasOthers;
+
+    /// <summary>Heights of the flat extrusions that a file without marks will have. Null = unknown.</summary>
+    public IEnumerable<double>? Heights { private get; set; }
+
+    /// <summary>False if <see cref="Thicknesses"/> are those of other layers than there are in the end.</summary>
+    public bool AreExpected => _expected is null || (!Marked && !_hasOthers && _drafts.Count == _expected.Length);
 
     /// <summary>Layer of the following moves. −1 = none.</summary>
     public int Current => AreAlike ? Math.Min(_current, 0) : _current;
@@ -90,17 +98,7 @@ internal sealed class LayerCollector
     }
 
     /// <summary>A flat extrusion at another height than the one before, in a file without marks.</summary>
-    public void FlatAt(double z)
-    {
-        var key = (long)Math.Floor(z * 1000 + 0.5);
-        if (!_byHeight.TryGetValue(key, out var layer))
-        {
-            layer = _drafts.Count;
-            _byHeight.Add(key, layer);
-            _drafts.Add(new Draft(layer, z, 0, Object, 0, true));
-        }
-        _current = layer;
-    }
+    public void FlatAt(double z) => _current = LayerAt(z, true);
 
     /// <summary>
     /// Removes layers with travel moves only: they belong to an object in the same layer or to the next mark. Files without extrusions keep them. Call it once,
@@ -109,7 +107,10 @@ internal sealed class LayerCollector
     /// <returns>The replacement of each layer, or null if all stay.</returns>
     public int[]? MergeEmpty()
     {
-        if (!_drafts.Exists(d => d.IsPrinted)) return null;
+        var any = _drafts.Exists(d => d.IsPrinted);
+        // They were only expected.
+        if (!any && !Marked) _drafts.Clear();
+        if (!any || _drafts.TrueForAll(d => d.IsPrinted)) return null;
         var places = InPlaceOf();
         var kept = new List<Draft>(_drafts.Count);
         var numbers = new int[places.Length];
@@ -132,10 +133,10 @@ internal sealed class LayerCollector
         return _drafts.Where(d => d.IsPrinted == any).Select(d => d.Number).Distinct().Count();
     }
 
-    /// <summary>Thickness of each printed layer, mm. 0 = not printed. Null if the comments so far do not state it.</summary>
+    /// <summary>Thickness of each printed layer, mm. 0 = not printed. Null if neither the comments so far nor the known heights tell it.</summary>
     public double[]? Thicknesses()
     {
-        if (!Marked) return null;
+        if (!Marked) return _expected ??= Heights is { } heights ? Expected(heights) : null;
         var all = new double[_drafts.Count];
         for (var i = 0; i < all.Length; i++)
         {
@@ -148,6 +149,7 @@ internal sealed class LayerCollector
 
     public Layer[] ToLayers()
     {
+        if (!Marked) return Ranked();
         var layers = new Layer[_drafts.Count];
         double z = 0, below = 0;
         for (var i = 0; i < layers.Length; i++)
@@ -162,8 +164,33 @@ internal sealed class LayerCollector
             var thickness = draft.Thickness > 0 ? draft.Thickness : Math.Max(height - below, 0);
             layers[i] = new Layer(draft.Number, height, Rounded(thickness), draft.Object);
         }
-        if (!Marked) Rank(layers);
         return layers;
+    }
+
+    // The layer of a flat extrusion, or of one that is expected.
+    private int LayerAt(double z, bool isPrinted)
+    {
+        var key = (long)Math.Floor(z * 1000 + 0.5);
+        if (!_byHeight.TryGetValue(key, out var layer))
+        {
+            layer = _drafts.Count;
+            _byHeight.Add(key, layer);
+            _drafts.Add(new Draft(layer, z, 0, Object, 0, isPrinted));
+            _hasOthers |= _expected is not null;
+        }
+        else if (isPrinted && !_drafts[layer].IsPrinted)
+        {
+            _hasOthers |= _drafts[layer].Z != z;
+            _drafts[layer] = _drafts[layer] with { Z = z, Object = Object, IsPrinted = true };
+        }
+        return layer;
+    }
+
+    // Thickness of each layer, mm, with those that are expected.
+    private double[] Expected(IEnumerable<double> heights)
+    {
+        foreach (var height in heights) LayerAt(height, false);
+        return Array.ConvertAll(Ranked(), l => l.Thickness);
     }
 
     private static double Rounded(double thickness) => Math.Floor(thickness * 1e6 + 0.5) / 1e6;
@@ -195,16 +222,18 @@ internal sealed class LayerCollector
     }
 
     // Without marks the number of a layer is its rank from below.
-    private static void Rank(Layer[] layers)
+    private Layer[] Ranked()
     {
-        int[] order = [.. Enumerable.Range(0, layers.Length)];
-        var heights = Array.ConvertAll(layers, l => l.Z);
-        Array.Sort(heights, order);
+        int[] order = [.. Enumerable.Range(0, _drafts.Count)];
+        var z = Array.ConvertAll(order, i => _drafts[i].Z);
+        Array.Sort(z, order);
+        var layers = new Layer[order.Length];
         for (var rank = 0; rank < order.Length; rank++)
         {
-            var thickness = rank == 0 ? heights[0] : heights[rank] - heights[rank - 1];
-            layers[order[rank]] = layers[order[rank]] with { Index = rank, Thickness = Math.Max(Rounded(thickness), 0) };
+            var thickness = rank == 0 ? z[0] : z[rank] - z[rank - 1];
+            layers[order[rank]] = new Layer(rank, z[rank], Math.Max(Rounded(thickness), 0), _drafts[order[rank]].Object);
         }
+        return layers;
     }
 
     private void Select()
