@@ -13,6 +13,10 @@ internal sealed class PrintedSoFar
 
     // Only what is about as high as the tip is asked for exactly; in cells.
     private const double KeepDepth = 24;
+
+    // Where a mean gap is measured across a path.
+    private const int Places = 8;
+    private readonly double[] _known = new double[Places];
     private readonly BeadShape _shape;
     private readonly double _widest;
     private readonly Kinematics? _kinematics;
@@ -83,20 +87,22 @@ internal sealed class PrintedSoFar
     /// <param name="known">An extrusion that counts, as the one below the point: others are looked for only where it leaves room. Null = none.</param>
     public double GapAcross(Vec3 p, Vec3 half, double most, double limit, int before, double least = 0, Extrusion? known = null)
     {
-        const int Places = 8;
         const double Clearly = 0.999;
         // Nothing that is lower counts.
         double sum = 0, rest = 0, floor = FloorUnder(p), lowest = p.Z - most - 1e-6;
-        for (var k = 0; k < Places; k++) rest += Gap(Known(k));
+        for (var k = 0; k < Places; k++)
+        {
+            _known[k] = known?.TopAt(Place(k), 0) is { } top && top <= limit && top > lowest ? top : lowest;
+            rest += Gap(_known[k]);
+        }
         for (var k = 0; k < Places && sum + rest >= Clearly * least * Places; k++)
         {
-            rest -= Gap(Known(k));
-            sum += Gap(Deposit.TopUnder(Place(k), limit, 0, before, null, Known(k)));
+            rest -= Gap(_known[k]);
+            sum += Gap(Deposit.TopUnder(Place(k), limit, 0, before, null, _known[k]));
         }
         return sum / Places;
 
         Vec3 Place(int k) => p + half * ((2 * k + 1.0) / Places - 1);
-        double Known(int k) => known?.TopAt(Place(k), 0) is { } top && top <= limit && top > lowest ? top : lowest;
         double Gap(double top) => Math.Min(most, Math.Max(0, p.Z - Math.Max(top, floor)));
     }
 

@@ -19,11 +19,8 @@ public static class PathSorter
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
         options ??= new SortOptions();
-        var items = new SortItem[paths.Count];
-        for (var i = 0; i < items.Length; i++)
-        {
-            items[i] = new SortItem(paths[i] ?? throw new ArgumentException("A path is null.", nameof(paths)), options.Reverse, options.Rotate);
-        }
+        SortItem[] items = [.. paths.Select(path => new SortItem(
+            path ?? throw new ArgumentException("A path is null.", nameof(paths)), options.Reverse, options.Rotate))];
         return options.Rule switch
         {
             SortRule.Layer => Grouped(items, ByLayer(paths), options, progress, cancel),

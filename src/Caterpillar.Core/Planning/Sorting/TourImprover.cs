@@ -96,10 +96,7 @@ internal sealed class TourImprover
 
     private void Touch(params int[] places)
     {
-        foreach (var place in places)
-        {
-            if (place >= 0 && place < _order.Length) _fresh[_order[place].Index] = true;
-        }
+        foreach (var place in places.Where(p => p >= 0 && p < _order.Length)) _fresh[_order[place].Index] = true;
     }
 
     // Moves one, two or three paths that start or end at a position to after or before another.
