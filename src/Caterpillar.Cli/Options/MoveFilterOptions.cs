@@ -13,10 +13,7 @@ internal sealed class MoveFilterOptions
     public Option[] All => [_first, _last, _roles, _objects, _tool, _box];
 
     /// <summary>True if there is a selection.</summary>
-    public bool IsGiven(ParseResult arguments)
-        => arguments.GetValue(_first) is not null || arguments.GetValue(_last) is not null || arguments.GetValue(_roles) is { Length: > 0 }
-            || arguments.GetValue(_objects) is { Length: > 0 }
-            || arguments.GetValue(_tool) is not null || arguments.GetValue(_box) is not null;
+    public bool IsGiven(ParseResult arguments) => Array.Exists(All, o => arguments.GetResult(o) is { Implicit: false });
 
     /// <summary>The selected moves.</summary>
     /// <exception cref="CliException">A role or object is not found, or the box is invalid.</exception>

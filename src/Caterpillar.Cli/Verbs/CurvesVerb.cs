@@ -92,18 +92,8 @@ internal sealed class CurvesVerb : Verb
     private static IReadOnlyList<UserCurve> Moved(IReadOnlyList<UserCurve> curves, string? text, Printer printer)
     {
         if (text is null) return curves;
-        Vec3 shift;
-        if (text == "center")
-        {
-            var bounds = curves.Aggregate(Bounds.Empty, (b, c) => b.Include(c.Curve.Bounds));
-            shift = (printer.BuildBounds.Center - bounds.Center).WithZ(0);
-        }
-        else
-        {
-            var numbers = text.Split(',').Select(w => Numbers.AtLeast(w, "--move", double.NegativeInfinity)).ToArray();
-            if (numbers.Length is not (2 or 3)) throw CliException.Usage("--move needs X,Y or X,Y,Z in mm, or center.");
-            shift = new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
-        }
+        var bounds = curves.Aggregate(Bounds.Empty, (b, c) => b.Include(c.Curve.Bounds));
+        var shift = text == "center" ? (printer.BuildBounds.Center - bounds.Center).WithZ(0) : Numbers.Vector(text, "--move");
         var map = Affine.Move(shift);
         return curves.Select(c => c with { Curve = c.Curve.Transformed(map) }).ToArray();
     }

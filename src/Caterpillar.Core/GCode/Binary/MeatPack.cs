@@ -43,27 +43,15 @@ internal sealed class MeatPack
         return reader._out;
     }
 
-    private void Command(byte c)
+    private void Command(byte c) => (_packed, _noSpaces) = c switch
     {
-        switch (c)
-        {
-            case 251:
-                _packed = true;
-                break;
-            case 250:
-                _packed = false;
-                break;
-            case 249:
-                _packed = _noSpaces = false;
-                break;
-            case 247:
-                _noSpaces = true;
-                break;
-            case 246:
-                _noSpaces = false;
-                break;
-        }
-    }
+        251 => (true, _noSpaces),
+        250 => (false, _noSpaces),
+        249 => (false, false),
+        247 => (_packed, true),
+        246 => (_packed, false),
+        _ => (_packed, _noSpaces),
+    };
 
     private void Data(int c)
     {

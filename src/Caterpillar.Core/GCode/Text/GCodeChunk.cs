@@ -59,8 +59,6 @@ internal sealed class GCodeChunk
 
     public int CountLines()
     {
-        var known = Volatile.Read(ref _lineStarts);
-        if (known is not null) return known.Length - 1;
         var count = 0;
         for (var at = Start; at < End; count++) at = LineEnds.Next(Text, at, End);
         return count;

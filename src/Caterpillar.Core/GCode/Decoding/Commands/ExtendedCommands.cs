@@ -25,38 +25,37 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
         while (end < line.CodeEnd && text[end] > ' ' && text[end] != '*') end++;
         var name = TextEncoding.Decode(text, start, Math.Min(end, start + LongestName)).ToUpperInvariant();
         var words = TextEncoding.Decode(text, end, Math.Min(line.CodeEnd, end + LongestText));
-        var capitals = words.ToUpperInvariant();
         switch (name)
         {
             case "EXCLUDE_OBJECT_START":
-                comments.SetObject(Argument(words, "NAME="));
+                comments.SetObject(Word(words, "NAME") ?? "");
                 return;
             case "EXCLUDE_OBJECT_END":
                 comments.SetObject("");
                 return;
             case "SET_VELOCITY_LIMIT" when _rules.Limits == LimitCommands.Klipper:
-                events.Limits.TakeVelocityLimit(key => Number(capitals, key));
+                events.Limits.TakeVelocityLimit(key => Number(words, key));
                 return;
             case "SET_RETRACTION" when _rules.RetractionSettings == RetractionCommands.Klipper:
-                events.Limits.TakeRetraction(key => Number(capitals, key));
+                events.Limits.TakeRetraction(key => Number(words, key));
                 return;
             case "SET_HEATER_TEMPERATURE" when _rules.ExtendedCommands:
-                events.SetHeater(Argument(words, "HEATER="), Number(capitals, "TARGET"));
+                events.SetHeater(Word(words, "HEATER") ?? "", Number(words, "TARGET"));
                 return;
             case "TURN_OFF_HEATERS" when _rules.ExtendedCommands:
                 events.HeatersOff();
                 return;
             case "ACTIVATE_EXTRUDER":
-                if (_rules.ExtendedCommands && ToolOf(Argument(words, "EXTRUDER=")) is { } tool) machine.ChangeTool(tool);
+                if (_rules.ExtendedCommands && ToolOf(Word(words, "EXTRUDER") ?? "") is { } tool) machine.ChangeTool(tool);
                 return;
             case "SAVE_GCODE_STATE" when _rules.ExtendedCommands:
-                _state.Saved.SetNamed(modes.Current(Word(capitals, "NAME") ?? "DEFAULT"));
+                _state.Saved.SetNamed(modes.Current(StateName(words)));
                 return;
             case "RESTORE_GCODE_STATE" when _rules.ExtendedCommands:
-                RestoreState(capitals);
+                RestoreState(words);
                 return;
             case "SET_GCODE_OFFSET" when _rules.ExtendedCommands:
-                SetOffset(capitals);
+                SetOffset(words);
                 return;
         }
         if (!events.TakePause(name)) machine.Log.Ignore();
@@ -64,7 +63,7 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
 
     private void RestoreState(string words)
     {
-        if (_state.Saved.Named(Word(words, "NAME") ?? "DEFAULT") is not { } saved)
+        if (_state.Saved.Named(StateName(words)) is not { } saved)
         {
             machine.Diagnostics.Warn("gcode.unknown_state", "RESTORE_GCODE_STATE names a state that was not saved. It is ignored.");
             return;
@@ -110,21 +109,13 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
         return value is > -MoveRecorder.LargestLength and < MoveRecorder.LargestLength ? value : before;
     }
 
-    private static string Argument(string text, string key)
-    {
-        var at = text.IndexOf(key, StringComparison.OrdinalIgnoreCase);
-        if (at < 0) return "";
-        at += key.Length;
-        var end = at;
-        while (end < text.Length && text[end] > ' ') end++;
-        return text.Substring(at, end - at).Trim('"', '\'');
-    }
+    private static string StateName(string words) => (Word(words, "NAME") ?? "DEFAULT").ToUpperInvariant();
 
     private static double? Number(string words, string key) => Word(words, key) is { } text && NumberReader.TryParse(text, out var value) ? value : null;
 
     private static string? Word(string words, string key)
     {
-        for (var at = 0; (at = words.IndexOf(key + "=", at, StringComparison.Ordinal)) >= 0; at += key.Length)
+        for (var at = 0; (at = words.IndexOf(key + "=", at, StringComparison.OrdinalIgnoreCase)) >= 0; at += key.Length)
         {
             if (at > 0 && words[at - 1] > ' ') continue;
             at += key.Length + 1;

@@ -45,9 +45,8 @@ internal sealed class MachineCommands(
             case 2900 when _rules.LargestBabystep > 0:
                 positions.Babystep(line);
                 return;
-            case 60:
-                if (_rules.ToolByM6) machine.ChangeTool(line.TryGet('T', out var tool) ? tool : double.IsNaN(_state.NextTool) ? _state.Tool : _state.NextTool);
-                else if (!IsToolChange(code, line)) machine.Log.Ignore();
+            case 60 when _rules.ToolByM6:
+                machine.ChangeTool(line.TryGet('T', out var tool) ? tool : double.IsNaN(_state.NextTool) ? _state.Tool : _state.NextTool);
                 return;
             case 4860:
                 ObjectByNumber(text, line);
