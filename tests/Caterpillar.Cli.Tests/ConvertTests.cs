@@ -124,6 +124,7 @@ public class ConvertTests : CliFixture
     [TestCase("--move", "0,0,-0.2", "nozzle.too_low")]
     [TestCase("--move", "0,0,5", "first_layer.in_air")]
     [TestCase("--deform", "x, y, z - 0.2", "nozzle.too_low")]
+    [TestCase("--scale", "1,1,10", "first_layer.in_air")]
     public void A_moved_print_must_fit_on_the_bed_of_any_printer(string option, string value, string code)
     {
         File.WriteAllText("a.gcode", Print(0.2));

@@ -30,9 +30,9 @@ internal sealed class ToolpathEditOptions
     public Option[] All =>
         [.. _filter.All, _speed, _flow, _scale, _turn, _move, _deform, _axis, _remove, _below, _above, _pauses, _plainPause, _tools, _lines, _start, _end];
 
-    /// <summary>True if no edits are given, or none but of speed, flow and position.</summary>
+    /// <summary>True if no edits are given, or none but those of all moves alike: speed, flow, scale, rotation and position.</summary>
     public bool AreNone(ParseResult arguments, bool orPlain = false)
-        => All.Except<Option>(orPlain ? [_speed, _flow, _move] : []).All(o => arguments.GetResult(o) is null or { Implicit: true });
+        => All.Except<Option>(orPlain ? [_speed, _flow, _scale, _turn, _move] : []).All(o => arguments.GetResult(o) is null or { Implicit: true });
 
     /// <summary>The edits of a toolpath.</summary>
     /// <exception cref="CliException">An option is invalid.</exception>

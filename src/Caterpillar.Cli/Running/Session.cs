@@ -162,10 +162,13 @@ internal sealed class Session(Func<Stream> input, Func<Stream> output, TextWrite
 
     /// <summary>Decodes a file while it is read.</summary>
     /// <exception cref="CliException">It is not G-code.</exception>
-    public DecodedGCode Decode(string file, DecodeOptions options)
+    public DecodedGCode Decode(string file, DecodeOptions options) => GCodeOrFail(Read(file, options));
+
+    /// <summary>The same, but nothing is printed.</summary>
+    public Result<DecodedGCode> Read(string file, DecodeOptions options)
     {
         using var stream = OpenRead(file);
-        return GCodeOrFail(Decode(stream, NameOf(file), options));
+        return Decode(stream, NameOf(file), options);
     }
 
     /// <summary>Decodes a stream while it is read.</summary>

@@ -37,7 +37,7 @@ internal sealed class CheckVerb : Verb
         foreach (var file in arguments.GetValue(_files)!)
         {
             var name = Session.NameOf(file);
-            var decoded = Decoded(file, name, options, session, harmless);
+            var decoded = Decoded(file, options, session, harmless);
             var written = isChosen ? null : FileSetup.Of(decoded.Settings);
             var own = written is null ? setup : _setup.Changed(written, arguments, session) with { PrintedOn = setup.PrintedOn };
             used.Add(written is null ? own.Printer.Title : $"{own.Printer.Title}, the printer of the setup in the file");
@@ -54,10 +54,9 @@ internal sealed class CheckVerb : Verb
         return all.Any(d => d.Severity == Severity.Error) ? ExitCode.Refused : ExitCode.Done;
     }
 
-    private static DecodedGCode Decoded(string file, string name, DecodeOptions options, Session session, List<Diagnostic> harmless)
+    private static DecodedGCode Decoded(string file, DecodeOptions options, Session session, List<Diagnostic> harmless)
     {
-        using var stream = session.OpenRead(file);
-        var decoded = session.Decode(stream, name, options);
+        var decoded = session.Read(file, options);
         harmless.AddRange(decoded.Diagnostics.Where(d => d.Code == Session.Harmless));
         // The check says it with its severity.
         return session.GCodeOrFail(new Result<DecodedGCode>(decoded.Value, decoded.Diagnostics.Where(d => d.Code != CommandLog.NotUnderstood).ToArray()));

@@ -51,7 +51,10 @@ internal sealed class ConvertVerb : Verb
         {
             if (_edits.AreNone(arguments)) return WhileDecoding(file, output, reading, target, null, session);
             if (target is null && StreamedEdits(file, reading, arguments, session) is { } edits)
-                return WhileDecoding(file, output, reading, null, new FollowingEditor(edits.ApplyTo), session);
+            {
+                if (!edits.IsCentered) return WhileDecoding(file, output, reading, null, new FollowingEditor(edits.ApplyTo), session);
+                if (AboutCenter(file, output, reading, edits, session)) return ExitCode.Done;
+            }
         }
         var decoding = session.Decode(file, reading with { KeepsText = true });
         var job = new FileJob(decoding, reading) { Code = _edits.Code(arguments), Target = target };
@@ -65,17 +68,54 @@ internal sealed class ConvertVerb : Verb
 
     public override bool ReplacesInput(ParseResult arguments) => arguments.GetValue(_inPlace);
 
-    // Nothing of it has to be kept.
-    private static int WhileDecoding(string file, string output, DecodeOptions reading, ConvertOptions? target, FollowingEditor? editor, Session session)
+    // Edits about the center of the print, which is known when all of it has been read. False if the check of what is written, which sees it at the same
+    // time, finds something: what it says of it needs all moves.
+    private static bool AboutCenter(string file, string output, DecodeOptions reading, FileEdits edits, Session session)
+    {
+        // What a device or a pipe has got cannot be taken back.
+        if (FileLinks.MayBeSpecial(FileLinks.Target(Path.GetFullPath(output)))) return false;
+        var sums = new ToolpathSums { OnlyLayers = true };
+        var read = session.Read(file, reading with { KeepsMoves = false, Take = _ => { }, Sums = sums });
+        if (read.Value is not { LayerNumbers: not null } before || !edits.CanFollow(before)) return false;
+        var totals = sums.ToTotals(before.Toolpath.Tools);
+        edits = edits with { Center = FileEdits.Foot(totals.PrintBounds) };
+        var after = edits.Apply(before.Toolpath).Value!;
+        var (check, findings) = PrintCheck.OnBedInParts(before, after, session.Cancel);
+        var editor = new FollowingEditor((part, position) => check(edits.ApplyTo(part, position).With(layers: after.Layers)), before, after);
+        try
+        {
+            WhileDecoding(file, output, reading, null, editor, session, () =>
+            {
+                if (findings().Count > 0) throw new CliException(ExitCode.Refused);
+                session.GCodeOrFail(read);
+                session.Print(edits.ScaleNotes(totals.DepositedE != 0 && edits.Flow != 0));
+            });
+        }
+        catch (CliException found) when (found.Code == ExitCode.Refused)
+        {
+            return false;
+        }
+        return true;
+    }
+
+    // Nothing of it has to be kept. What a check refuses is read once more, and has its messages then.
+    private static int WhileDecoding(
+        string file, string output, DecodeOptions reading, ConvertOptions? target, FollowingEditor? editor, Session session, Action? check = null)
     {
         DecodedGCode? decoding = null;
         CountingStream? counted = null;
         var sums = editor?.Sums ?? new ToolpathSums();
-        session.Write(output, stream => decoding = session.ValueOrFail(GCodeConverter.WhileDecoding(options => session.Decode(file, options),
-            reading with { Sums = editor is null ? sums : null }, target, counted = new CountingStream(stream), editor)));
+        DecodedGCode Decode(DecodeOptions options)
+            => check is null ? session.Decode(file, options) : session.Read(file, options).Value ?? throw new CliException(ExitCode.Refused);
+        session.Write(output, stream =>
+        {
+            decoding = session.ValueOrFail(GCodeConverter.WhileDecoding(
+                Decode, reading with { Sums = editor is null ? sums : null }, target, counted = new CountingStream(stream), editor));
+            check?.Invoke();
+        });
         IEnumerable<string> changes = editor is not null ? EditSummary.Of(editor.Difference) : target is not null ? ["notation converted"] : [];
-        var written = new WrittenGCode(counted!.Bytes, counted.Lines, 0);
-        return Made(output, written, () => PrintFigures.Of(decoding!, decoding!.Toolpath, sums), () => Listed(changes), session);
+        var (written, toolpath) = (new WrittenGCode(counted!.Bytes, counted.Lines, 0), editor?.Whole.After ?? decoding!.Toolpath);
+        return Made(output, written, () => PrintFigures.Of(decoding!, toolpath, sums), () => Listed(changes), session);
     }
 
     private static int Made(string output, WrittenGCode written, Func<PrintFigures> print, Func<string> changes, Session session)
@@ -89,8 +129,7 @@ internal sealed class ConvertVerb : Verb
     private FileEdits? StreamedEdits(string file, DecodeOptions reading, ParseResult arguments, Session session)
     {
         if (!_edits.AreNone(arguments, orPlain: true) || !File.Exists(file) || new FileInfo(file).Length == 0) return null;
-        using var stream = session.OpenRead(file);
-        if (GCodeDecoder.DecodeStream(stream, reading with { KeepsMoves = false, OnlyEnds = true }).Value is not { } head) return null;
+        if (session.Read(file, reading with { KeepsMoves = false, OnlyEnds = true }).Value is not { } head) return null;
         try
         {
             var edits = _edits.Of(head.Toolpath, Tolerance(arguments), () => Pausing(arguments, session), arguments, session);

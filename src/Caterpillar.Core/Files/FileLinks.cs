@@ -35,13 +35,8 @@ internal static class FileLinks
     /// <exception cref="UnauthorizedAccessException">No permission to write it.</exception>
     public static FileStream? Special(string file)
     {
-        if (!IsUnix || !File.Exists(file)) return null;
-        if (file.StartsWith("/dev/", StringComparison.Ordinal) || file.StartsWith("/proc/", StringComparison.Ordinal)
-            || (File.GetAttributes(file) & FileAttributes.Device) != 0)
-        {
-            return Open(file);
-        }
-        if (new FileInfo(file).Length > 0) return null;
+        if (!MayBeSpecial(file)) return null;
+        if (IsDevice(file)) return Open(file);
         FileStream stream;
         try
         {
@@ -56,6 +51,9 @@ internal static class FileLinks
         stream.Dispose();
         return null;
     }
+
+    /// <summary>True for devices, and for files without length, such as pipes.</summary>
+    public static bool MayBeSpecial(string file) => IsUnix && File.Exists(file) && (IsDevice(file) || new FileInfo(file).Length == 0);
 
     /// <summary>A new file that will replace another one.</summary>
     public static FileStream Create(string file, string target)
@@ -96,6 +94,10 @@ internal static class FileLinks
 #endif
         File.Replace(file, target, null, true);
     }
+
+    private static bool IsDevice(string file)
+        => file.StartsWith("/dev/", StringComparison.Ordinal) || file.StartsWith("/proc/", StringComparison.Ordinal)
+            || (File.GetAttributes(file) & FileAttributes.Device) != 0;
 
     private static FileStream Open(string file) => new(file, FileMode.Open, FileAccess.Write, FileShare.ReadWrite, Buffer);
 

@@ -59,6 +59,7 @@ public readonly record struct Bounds
         && Min.X < other.Max.X && other.Min.X < Max.X && Min.Y < other.Max.Y && other.Min.Y < Max.Y && Min.Z < other.Max.Z && other.Min.Z < Max.Z;
 
     /// <summary>True if the point is inside or on the box, within <paramref name="tolerance"/> mm.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Contains(Vec3 p, double tolerance = 0) => _any
         && p.X >= Min.X - tolerance && p.X <= Max.X + tolerance
         && p.Y >= Min.Y - tolerance && p.Y <= Max.Y + tolerance

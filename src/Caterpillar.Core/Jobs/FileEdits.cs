@@ -44,18 +44,24 @@ public sealed record FileEdits
     /// <summary>Maximum deviation of transformed or deformed extrusions, mm.</summary>
     public double Tolerance { get; init; } = 0.01;
 
-    internal bool Moves => Scale is not null || Rotate is not null || Move is not null || Deform is not null;
+    /// <summary>The center of the base of the selection, mm, where it is known before. Null = found in the moves.</summary>
+    internal Vec3? Center { get; init; }
+
+    internal bool Moves => IsCentered || Move is not null || Deform is not null;
+
+    /// <summary>True if the center must be known.</summary>
+    internal bool IsCentered => Scale is not null || Rotate is not null;
 
     /// <summary>
-    /// True if they can be made while a file is decoded, of which the beginning is known: they act on each extrusion by itself, heights stay, and what
+    /// True if they can be made while a file is decoded, of which the beginning is known: they act on each extrusion by itself, given the center, and what
     /// moves has no outlines of objects, no bed that the file knows, and no part below it.
     /// </summary>
     internal bool CanFollow(DecodedGCode head)
     {
         if (head.FirstLayerLine == 0 || head.Axis == ExtrusionAxis.Switched || Filter != new MoveFilter()) return false;
-        if (Scale is not null || Rotate is not null || Deform is not null || PauseAtLayers.Count + AtLayers.Count > 0 || Remove || FitArcs > 0) return false;
-        return Move is not { } shift || (shift.Z == 0 && Flow is null
-            && !head.Ignored.ContainsKey(OutlineFigures.Command) && !head.Settings.ContainsKey(Continuation.Setting)
+        if (Deform is not null || PauseAtLayers.Count + AtLayers.Count > 0 || Remove || FitArcs > 0) return false;
+        if (Move is { } shift && (shift.Z != 0 || Flow is not null || Scale is not null)) return false;
+        return !Moves || (!head.Ignored.ContainsKey(OutlineFigures.Command) && !head.Settings.ContainsKey(Continuation.Setting)
             && head.Report.Setup.Count == 0);
     }
 
@@ -71,7 +77,7 @@ public sealed record FileEdits
         if (Filter != new MoveFilter() && !toolpath.Moves().Any(m => extrusions.Matches(toolpath, m)))
             found.Add(new Diagnostic(Severity.Warning, "edit.nothing_selected", "The selection has no extrusions in this file, so nothing is edited."));
         toolpath = WithSpeedAndFlow(toolpath, extrusions);
-        if (Scale is { } scale) found.AddRange(ScaleNotes(toolpath, extrusions, scale));
+        if (Scale is not null) found.AddRange(ScaleNotes(toolpath.Moves().Any(m => m.Deposited != 0 && extrusions.Matches(toolpath, m))));
         if (Map(toolpath, extrusions) is { } map) toolpath = toolpath.Transform(filter, map, Tolerance);
         foreach (var change in Changes(filter, extrusions))
         {
@@ -93,9 +99,10 @@ public sealed record FileEdits
     internal Toolpath ApplyTo(Toolpath part, Vec3? position)
     {
         var filter = new MoveFilter { FirstLayer = int.MinValue };
-        part = WithSpeedAndFlow(part, filter with { Kinds = [MoveKind.Print] });
-        return Move is not { } shift ? part
-            : new ToolpathMapper(part, MappedMoves.Of(part, filter, position is not null), new AffineRunMap(Affine.Move(shift), Tolerance), Tolerance)
+        var extrusions = filter with { Kinds = [MoveKind.Print] };
+        part = WithSpeedAndFlow(part, extrusions);
+        return Map(part, extrusions) is not { } map ? part
+            : new ToolpathMapper(part, MappedMoves.Of(part, filter, position is not null), new AffineRunMap(map, Tolerance), Tolerance)
                 .Run(position ?? part.Start ?? Vec3.Zero);
     }
 
@@ -134,7 +141,7 @@ public sealed record FileEdits
     // Edits that may fail.
     private IEnumerable<Func<Toolpath, Result<Toolpath>>> Changes(MoveFilter filter, MoveFilter extrusions)
     {
-        if (Deform is not null) yield return toolpath => toolpath.Deform(filter, Deform(Foot(toolpath, extrusions)), Tolerance);
+        if (Deform is not null) yield return toolpath => toolpath.Deform(filter, Deform(Foot(extrusions.BoundsIn(toolpath))), Tolerance);
         foreach (var layer in PauseAtLayers) yield return toolpath => toolpath.PauseAtLayer(layer, PauseFor);
         foreach (var (layer, what) in AtLayers) yield return toolpath => toolpath.InsertAtLayer(layer, what);
     }
@@ -143,24 +150,22 @@ public sealed record FileEdits
     private Affine? Map(Toolpath toolpath, MoveFilter extrusions)
     {
         if (Scale is null && Rotate is null) return Move is { } shift ? Affine.Move(shift) : null;
-        var foot = Foot(toolpath, extrusions);
+        var foot = Center ?? Foot(extrusions.BoundsIn(toolpath));
         var map = Affine.Move(-foot);
         if (Scale is { } scale) map = map.Then(Affine.Scale(scale.X, scale.Y, scale.Z));
         if (Rotate is { } degrees) map = map.Then(Affine.Rotate(Vec3.UnitZ, degrees));
         return map.Then(Affine.Move(foot + (Move ?? Vec3.Zero)));
     }
 
-    // The center of the extrusions, on the bed.
-    private static Vec3 Foot(Toolpath toolpath, MoveFilter extrusions)
-    {
-        var box = extrusions.BoundsIn(toolpath);
-        return box.IsEmpty ? Vec3.Zero : box.Center.WithZ(0);
-    }
+    /// <summary>The center of the extrusions in a box, on the bed.</summary>
+    internal static Vec3 Foot(Bounds box) => box.IsEmpty ? Vec3.Zero : box.Center.WithZ(0);
 
-    // Limits of scaling.
-    private static IEnumerable<Diagnostic> ScaleNotes(Toolpath toolpath, MoveFilter extrusions, Vec3 scale)
+    /// <summary>Limits of scaling.</summary>
+    /// <param name="hasAmounts">True if extrusions deposit material.</param>
+    internal IEnumerable<Diagnostic> ScaleNotes(bool hasAmounts)
     {
-        if (toolpath.Moves().Where(m => extrusions.Matches(toolpath, m)).All(m => m.Deposited == 0))
+        if (Scale is not { } scale) yield break;
+        if (!hasAmounts)
             yield return new Diagnostic(Severity.Warning, "edit.no_e_values", "The extrusions have no E, so only their paths are scaled.");
         else if (scale.X != scale.Y || scale.Y != scale.Z)
             yield return new Diagnostic(Severity.Note, "edit.nonuniform_scale",

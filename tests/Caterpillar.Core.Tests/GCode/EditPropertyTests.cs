@@ -20,7 +20,7 @@ public class EditPropertyTests
 
     [Test]
     public void Random_programs_come_back()
-        => ForAll(1, (decoding, random) => RoundTrips.RewriteAll(decoding) ?? RoundTrips.Written(decoding, random.Next(2) == 0));
+        => ForAll(1, (decoding, random) => RoundTrips.Written(decoding, random.Next(2) == 0));
 
     [Test]
     public void What_is_left_after_random_cuts_is_the_kept_moves()

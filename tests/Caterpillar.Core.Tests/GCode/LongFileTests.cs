@@ -34,7 +34,11 @@ public class LongFileTests
     };
 
     private static readonly FileEdits[] Followable =
-        [new() { Speed = 0.9 }, new() { Move = new Vec3(10, -5.25) }, new() { Speed = 1.5, Move = new Vec3(0.125, 300) }, new() { Flow = 1.1, Speed = 2 }];
+    [
+        new() { Speed = 0.9 }, new() { Move = new Vec3(10, -5.25) }, new() { Speed = 1.5, Move = new Vec3(0.125, 300) }, new() { Flow = 1.1, Speed = 2 },
+        new() { Scale = new Vec3(0.5, 0.5, 0.5) }, new() { Rotate = 30, Move = new Vec3(3, 4) },
+        new() { Scale = new Vec3(2, 0.75, 1.5), Flow = 0.9, Rotate = 90 },
+    ];
 
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
     public void A_file_has_the_same_moves(string file)
@@ -114,6 +118,27 @@ public class LongFileTests
         foreach (var edits in Followable) AssertFollowed(Encoding.ASCII.GetBytes(text), edits);
     }
 
+    [Test]
+    public void Comments_about_heights_and_widths_are_scaled_while_a_file_is_decoded_as_they_are_afterwards()
+    {
+        // Two blocks of moves: before the first layer more than one, so that its layers by height are forgotten, then two layers, the second without height.
+        var text = new StringBuilder("M83\nG1 X1 Y1 Z0.3 F900\n");
+        void Print(int count)
+        {
+            for (var i = 0; i < count; i++) text.Append("G1 X").Append(i % 2 * 30 + count % 10).Append(" E1\n");
+        }
+        Print(4200);
+        text.Append(";LAYER:0\n;Z:0.2\n;HEIGHT:0.2\n;WIDTH:0.4\nG1 X100 Y80 Z0.2\n");
+        Print(3989);
+        text.Append(";LAYER:1\nG1 X150 Z0 E1\n;Z:5\n");
+        // More than a chunk between the blocks.
+        text.Append(string.Concat(Enumerable.Repeat("; " + new string('-', 98) + "\n", 2 * GCodeChunk.Target / 100))).Append(";WIDTH:0.4\n");
+        Print(5);
+        var bytes = Encoding.ASCII.GetBytes(text.ToString());
+        Assert.That(GCodeDecoder.Decode(bytes).Value!.Toolpath.Count, Is.EqualTo(2 * ToolpathBlock.FollowedSize + 5));
+        foreach (var edits in Followable) AssertFollowed(bytes, edits);
+    }
+
     [TestCase("G1 X1 Y1 E1\n", false)]
     [TestCase(";LAYER:0\nG1 X1 Y1 E1\n", true)]
     [TestCase("EXCLUDE_OBJECT_DEFINE NAME=a CENTER=1,1\n;LAYER:0\nG1 X1 Y1 E1\n", false)]
@@ -123,6 +148,8 @@ public class LongFileTests
         var head = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text)).Value!;
         Assert.That(new FileEdits { Move = new Vec3(1, 2) }.CanFollow(head), Is.EqualTo(can));
         Assert.That(new FileEdits { Move = new Vec3(1, 2, 3) }.CanFollow(head), Is.False);
+        Assert.That(new FileEdits { Scale = new Vec3(2, 2, 2) }.CanFollow(head), Is.EqualTo(can));
+        Assert.That(new FileEdits { Scale = new Vec3(2, 2, 2), Move = new Vec3(1, 2) }.CanFollow(head), Is.False);
         Assert.That(new FileEdits { Speed = 2 }.CanFollow(head), Is.EqualTo(text[0] != 'G'));
         Assert.That(new FileEdits { Speed = 2, Filter = new MoveFilter { Tool = 0 } }.CanFollow(head), Is.False);
     }
@@ -157,13 +184,29 @@ public class LongFileTests
         var whole = GCodeDecoder.Decode(bytes).Value!;
         if (!edits.CanFollow(whole)) return;
         var edited = edits.Apply(whole.Toolpath).Value!;
+        DecodedGCode? before = null;
+        DecodedGCode Decoded(DecodeOptions options) => GCodeDecoder.DecodeStream(new MemoryStream(bytes), options).Value!;
+        if (edits.IsCentered)
+        {
+            var sums = new ToolpathSums { OnlyLayers = true };
+            before = Decoded(new DecodeOptions { KeepsMoves = false, Take = _ => { }, Sums = sums });
+            if (before.LayerNumbers is null) return;
+            edits = edits with { Center = FileEdits.Foot(sums.ToTotals(before.Toolpath.Tools).PrintBounds) };
+        }
+        var after = before is null ? null : edits.Apply(before.Toolpath).Value;
         using var stream = new MemoryStream();
-        var editor = new FollowingEditor(edits.ApplyTo);
-        var followed = GCodeConverter.WhileDecoding(
-            options => GCodeDecoder.DecodeStream(new MemoryStream(bytes), options).Value!, new DecodeOptions(), null, stream, editor);
+        var (parts, atOnce) = (PrintCheck.OnBedInParts(whole, before?.Toolpath ?? edited, default), PrintCheck.OnBedInParts(whole, edited, default));
+        var editor = new FollowingEditor((part, position) => parts.Take(edits.ApplyTo(part, position).With(layers: edited.Layers)), before, after);
+        var followed = GCodeConverter.WhileDecoding(Decoded, new DecodeOptions(), null, stream, editor);
         Assert.That(followed.Value!.Toolpath.Count, Is.Zero);
         Assert.That(Encoding.UTF8.GetString(stream.ToArray()), Is.EqualTo(Encoding.UTF8.GetString(GCodeEditor.ToDocument(whole, edited).Value!.ToBytes())));
         Assert.That(editor.Difference, Is.EqualTo(ToolpathDifference.Of(whole.Toolpath, edited)));
+        if (before is not null)
+        {
+            atOnce.Take(edited);
+            Assert.That(parts.End().Select(d => (d.Code, d.Count)), Is.EqualTo(atOnce.End().Select(d => (d.Code, d.Count))));
+            Assert.That(after!.Layers, Is.EqualTo(edited.Layers));
+        }
         var (totals, expected) = (editor.Sums.ToTotals(edited.Tools), ToolpathTotals.Of(edited));
         Assert.That((totals.PrintMoves, totals.TravelMoves, totals.PrintBounds), Is.EqualTo((expected.PrintMoves, expected.TravelMoves, expected.PrintBounds)));
         Assert.That(totals.PrintLength, Is.EqualTo(expected.PrintLength).Within(1e-9).Percent);

@@ -17,10 +17,6 @@ internal static class RoundTrips
 {
     private static readonly Vec3 Shift = new(3, -2, 1);
 
-    /// <summary>Every move marked as changed and written in its line.</summary>
-    public static string? RewriteAll(DecodedGCode decoding)
-        => Edited(decoding, decoding.Toolpath, new MoveTolerance { Xyz = 1e-6, E = EDecimal(decoding), Speed = 1e-6 }, new EditOptions { RewriteAll = true });
-
     /// <summary>Every move shifted and faster.</summary>
     public static string? Shifted(DecodedGCode decoding)
     {
@@ -28,9 +24,9 @@ internal static class RoundTrips
         return Edited(decoding, edited, new MoveTolerance());
     }
 
-    public static string? Edited(DecodedGCode decoding, Toolpath edited, MoveTolerance tolerance, EditOptions? options = null)
+    public static string? Edited(DecodedGCode decoding, Toolpath edited, MoveTolerance tolerance)
     {
-        var result = GCodeEditor.ToDocument(decoding, edited, options ?? new EditOptions());
+        var result = GCodeEditor.ToDocument(decoding, edited);
         if (result.Value is null) return Said(result.Diagnostics);
         return SameMoves.Difference(edited, Decode(result.Value, decoding.Flavor).Toolpath, tolerance with { Fan = decoding.Flavor.Fan });
     }

@@ -18,8 +18,15 @@ internal sealed class CheckRun(MoveCheck[] checks, IReadOnlyList<ToolpathTool> t
     {
         if (checks.Length == 0) return;
         var run = new CheckRun(checks, toolpath.Tools, cancel);
-        foreach (var block in BlocksOf(toolpath)) run.Block(block, at => progress?.Report(at / (double)toolpath.Count));
+        run.Take(toolpath, progress);
         run.End(toolpath);
+    }
+
+    /// <summary>Shows the next part of a toolpath, and returns it.</summary>
+    public Toolpath Take(Toolpath part, IProgress<double>? progress = null)
+    {
+        foreach (var block in BlocksOf(part)) Block(block, at => progress?.Report(at / (double)part.Count));
+        return part;
     }
 
     /// <summary>The blocks of a toolpath, with their events.</summary>

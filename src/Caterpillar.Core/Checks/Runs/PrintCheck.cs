@@ -68,15 +68,30 @@ public static class PrintCheck
 
     private static IReadOnlyList<Diagnostic> OnBed(DecodedGCode file, Toolpath toolpath, CancellationToken cancel)
     {
+        var (take, end) = OnBedInParts(file, toolpath, cancel);
+        take(toolpath);
+        return end();
+    }
+
+    /// <summary>The same for a print in parts, of which only the tools are known: what takes and returns them, and what tells the findings then.</summary>
+    internal static (Func<Toolpath, Toolpath> Take, Func<IReadOnlyList<Diagnostic>> End) OnBedInParts(
+        DecodedGCode file, Toolpath toolpath, CancellationToken cancel)
+    {
         var setup = new PrintSetup() with { PrintedOn = StandingPart(file) };
         toolpath = WithVolumes(toolpath, setup);
         var own = FileSetup.Of(file.Settings)?.Printer;
         var findings = new Findings(own ?? setup.Printer, toolpath);
         var bed = new DepositCheck(setup, findings, cancel, isOnlyBed: true);
-        CheckRun.Run(toolpath, own is { RotaryAxes.Count: 0, AxisMappings.Count: 0 } ? [new PositionCheck(own, findings), bed] : [bed], null, cancel);
+        var run = new CheckRun(own is { RotaryAxes.Count: 0, AxisMappings.Count: 0 } ? [new PositionCheck(own, findings), bed] : [bed], toolpath.Tools, cancel);
         string[] codes = [CheckCodes.TooLow, CheckCodes.Squeezed, CheckCodes.InAir, CheckCodes.Outside, CheckCodes.Below, CheckCodes.ExcludedArea];
-        return [.. findings.ToList(toolpath.Count).Where(d => codes.Contains(d.Code))
-            .Select(d => d.WithSource(s => s is null ? s : s with { File = file.Report.File }))];
+        return (part => run.Take(part), End);
+
+        IReadOnlyList<Diagnostic> End()
+        {
+            run.End(toolpath);
+            return [.. findings.ToList(toolpath.Count).Where(d => codes.Contains(d.Code))
+                .Select(d => d.WithSource(s => s is null ? s : s with { File = file.Report.File }))];
+        }
     }
 
     // The top of the part, as wide as what is printed on it. Null = none.

@@ -39,11 +39,14 @@ public sealed record DecodeOptions
     /// <summary>Called before a stream is decoded, with what is known of it: its flavor and first lines. Returns who takes its chunks, too.</summary>
     internal Func<DecodedGCode, Action<ChunkParser, Checkpoint>>? Follow { get; init; }
 
+    /// <summary>The same file without its moves, if it was decoded before, so that the layers of moves are known at once.</summary>
+    internal DecodedGCode? Before { get; init; }
+
     /// <summary>True to decode only the first MB of a file and its end, if the end can be read before the rest.</summary>
     internal bool OnlyEnds { get; init; }
 
     /// <summary>Number of bytes per chunk.</summary>
-    internal int ChunkSize => KeepsText || Follow is not null ? GCodeChunk.Target : Take is null && KeepsMoves ? 1024 * 1024 : 64 * 1024;
+    internal int ChunkSize => KeepsText ? GCodeChunk.Target : Take is null && KeepsMoves ? 1024 * 1024 : (Follow is null ? 64 : 128) * 1024;
 
     /// <summary>Collects moves, with room for some at first.</summary>
     internal BlockCollector NewBlocks(int firstSize)

@@ -89,6 +89,9 @@ public sealed class DecodedGCode
 
     internal ExtrusionAxis Axis { get; init; } = ExtrusionAxis.None;
 
+    /// <summary>What the numbers of layers, in order of their comments, became in the end. Null without printed layers.</summary>
+    internal int[]? LayerNumbers { get; init; }
+
     /// <summary>The last line that changes a mode.</summary>
     internal int LastModeLine { get; init; }
 

@@ -113,6 +113,7 @@ public static class GCodeDecoder
         interpreter.Machine.Moves.Begin(options.NewBlocks, options.Take, options.Sums);
         interpreter.Machine.Moves.Layers.Heights = options.Heights;
         interpreter.Machine.Moves.Layers.AreAlike = options is { KeepsMoves: false, Take: not null };
+        interpreter.Machine.Moves.Layers.Numbers = options.Before?.LayerNumbers;
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != input.Axis && (input.Axis == ExtrusionAxis.E || input.Axis == ExtrusionAxis.Switched))
             problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ". Extrusion is left out.");
@@ -120,7 +121,8 @@ public static class GCodeDecoder
         var mark = false;
         var checkpoints = input.Document is not null ? new List<Checkpoint>() : null;
         var follow = options.Follow?.Invoke(
-            new DecodedGCode(new Toolpath([], [], [], [new ToolpathTool(null)], null, MoveSource.Lines), new DecodeReport(interpreter), rules)
+            new DecodedGCode(
+                options.Before?.Toolpath ?? new Toolpath([], [], [], [new ToolpathTool(null)], null, MoveSource.Lines), new DecodeReport(interpreter), rules)
             {
                 Document = new GCodeDocument(input.First!, name), Rule = options.Rule, Axis = axis, LastModeLine = int.MaxValue,
             });
@@ -167,6 +169,7 @@ public static class GCodeDecoder
                 LastModeLine = interpreter.Machine.LastModeLine,
                 FirstLayerLine = interpreter.Comments.FirstLayerLine,
                 HasExpectedLayers = interpreter.Machine.Moves.Layers.AreExpected,
+                LayerNumbers = interpreter.Machine.Moves.Layers.Numbers,
                 NotGCode = none is null || name.Length == 0 ? none : none with { Source = new SourceLocation(name) },
             },
             diagnostics);

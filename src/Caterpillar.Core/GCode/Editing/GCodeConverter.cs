@@ -32,25 +32,38 @@ internal static class GCodeConverter
         Splicer? splicer = null;
         // Of one chunk, while the next is decoded.
         var work = Task.CompletedTask;
-        void Later(Action write)
+        void Later(ChunkParser parsed, Action write)
         {
             work.GetAwaiter().GetResult();
-            work = Task.Run(write);
+            work = Task.Run(() =>
+            {
+                write();
+                parsed.IsHeld = false;
+            });
+        }
+        void Follow(ChunkParser parsed, Checkpoint before)
+        {
+            parsed.IsHeld = true;
+            if (editor is not null) editor.Take(parsed, before);
+            else if (splicer is null) Later(parsed, () => parsed.Chunk!.WriteTo(stream));
+            else Later(parsed, () => splicer.Write(parsed, before, null, null));
         }
         try
         {
             var decoding = decode(reading with
             {
                 KeepsMoves = false,
+                Before = editor?.Whole.Before,
                 Take = editor is null ? null : editor.Take,
                 Follow = known =>
                 {
-                    splicer = editor is not null ? new Splicer(known, known.Toolpath, new SplicePlan(), stream)
-                        : options is null ? null : Begin(known, options, null, stream, problems)!;
-                    Action<ChunkParser, Checkpoint, Toolpath?> write = splicer is null ? (parsed, _, _) => parsed.Chunk!.WriteTo(stream) : splicer.Write;
-                    if (editor is null) return (parsed, before) => Later(() => write(parsed, before, null));
-                    editor.Writer = (parsed, before, moves) => Later(() => write(parsed, before, moves));
-                    return editor.Take;
+                    if (editor is null) splicer = options is null ? null : Begin(known, options, null, stream, problems);
+                    else
+                    {
+                        splicer = new Splicer(known, editor.Whole.After ?? known.Toolpath, new SplicePlan(), stream);
+                        editor.Writer = (parsed, before, moves, edited) => Later(parsed, () => splicer.Write(parsed, before, moves, edited));
+                    }
+                    return Follow;
                 },
             });
             editor?.Finish();

@@ -18,9 +18,6 @@ public sealed record EditOptions
     /// <summary>Lines that are left out.</summary>
     internal IReadOnlyList<LineCut> Cuts { get; init; } = [];
 
-    /// <summary>Rewrites all numbers of all motions, changed or not.</summary>
-    internal bool RewriteAll { get; init; }
-
     /// <summary>Disables the fast path, for comparison.</summary>
     internal bool GeneralPath { get; init; }
 }

@@ -22,7 +22,6 @@ internal sealed class Splicer : IDisposable
     private readonly PlainMoves _plain;
     private readonly OtherLines _others;
     private readonly int _threads;
-    private readonly SplicedOutput _output;
     private bool _synced = true;
     private int _next;
 
@@ -32,8 +31,7 @@ internal sealed class Splicer : IDisposable
         options ??= new EditOptions();
         _threads = decoding.Checkpoints.Length is > 0 and < FewChunks ? 1 : options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
         var style = LineStyle.Of(decoding.Document!).With(target?.Options.DecimalsXyz, target?.Options.DecimalsE, target?.Options.DecimalsF);
-        _output = new SplicedOutput(stream, style, _threads > 1);
-        _context = new SpliceContext(decoding, target, style, new SplicedText(_output, style));
+        _context = new SpliceContext(decoding, target, style, new SplicedText(stream, style, _threads > 1));
         _plan = plan;
         _tasks = new SpliceTasks(_context, plan, new MoveCursor(edited));
         _comments = new CommentBuffer(_context);
@@ -43,10 +41,10 @@ internal sealed class Splicer : IDisposable
         _code = new CodeReplacement(_context, options, plan, _figures);
         _outlines = new OutlineFigures(decoding, edited);
         if (_outlines.IsActive) plan.Touch(1, decoding.PrintLines.First);
-        if (_scale.ChangesLayers || _figures.IsActive || options.RewriteAll) plan.Touch(1, int.MaxValue);
+        if (_scale.ChangesLayers || _figures.IsActive) plan.Touch(1, int.MaxValue);
         var conversion = new MoveConversion(_context);
-        _moves = new MoveWriter(_context, conversion, options.RewriteAll);
-        _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || options.GeneralPath);
+        _moves = new MoveWriter(_context, conversion);
+        _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.GeneralPath);
         _others = new OtherLines(_context, conversion, options.Start is not null);
     }
 
@@ -64,22 +62,30 @@ internal sealed class Splicer : IDisposable
         Finish();
     }
 
-    /// <summary>Writes what becomes of the next chunk. A conversion needs only the state before the first, an edit its edited moves.</summary>
-    public void Write(ChunkParser parsed, Checkpoint before, Toolpath? edited)
+    /// <summary>Writes what becomes of the next chunk. A conversion needs only the state before the first, an edit its moves and what became of them.</summary>
+    public void Write(ChunkParser parsed, Checkpoint before, Toolpath? moves, Toolpath? edited)
     {
-        if (edited is not null) _tasks.Continue(edited);
+        if (moves is not null && edited is not null)
+        {
+            _tasks.Continue(edited);
+            _scale.Continue(moves, edited);
+        }
         Write(parsed.Chunk!, before, new Lazy<ChunkParser>(() => parsed), true);
-        parsed.IsHeld = false;
     }
 
     /// <summary>Writes what comes after the last chunk.</summary>
     public void Finish()
     {
-        WriteEnd();
-        _output.Finish();
+        _comments.Keep();
+        _tasks.TakeRest();
+        if (_tasks.Tasks.Count > 0) _context.Text.CloseLine();
+        Insert(0, _tasks.Tasks.Count);
+        _code.WriteEnd();
+        _others.Report();
+        _context.Text.Finish();
     }
 
-    public void Dispose() => _output.Dispose();
+    public void Dispose() => _context.Text.Dispose();
 
     private bool Changes(int chunk)
     {
@@ -225,16 +231,5 @@ internal sealed class Splicer : IDisposable
             if (task.Event is { } what) _context.Event(what);
             else _moves.InsertMove(task.Move);
         }
-    }
-
-    private void WriteEnd()
-    {
-        _comments.Keep();
-        _tasks.TakeRest();
-        if (_tasks.Tasks.Count > 0) _context.Text.CloseLine();
-        Insert(0, _tasks.Tasks.Count);
-        _code.WriteEnd();
-        _others.Report();
-        _context.Text.Flush();
     }
 }

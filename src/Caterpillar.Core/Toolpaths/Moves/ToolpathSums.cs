@@ -18,6 +18,9 @@ internal sealed class ToolpathSums
     /// <summary>Where the next move begins, mm.</summary>
     public Vec3 Position { get; set; }
 
+    /// <summary>True to leave out moves without a layer.</summary>
+    public bool OnlyLayers { get; init; }
+
     /// <summary>The sums of a toolpath.</summary>
     public static ToolpathSums Of(Toolpath toolpath)
     {
@@ -35,6 +38,11 @@ internal sealed class ToolpathSums
             _tools.TryGetValue(tool, out var sums);
             for (; i < c.Count && c.Tool[i] == tool; i++)
             {
+                if (OnlyLayers && c.Layer[i] < 0)
+                {
+                    Position = new Vec3(c.X[i], c.Y[i], c.Z[i]);
+                    continue;
+                }
                 sums.Deposited += c.Deposited[i];
                 if (!Add(c, i)) sums.InPlace += c.Deposited[i];
             }

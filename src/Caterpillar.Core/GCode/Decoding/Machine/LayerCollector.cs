@@ -23,13 +23,16 @@ internal sealed class LayerCollector
     public bool AreExpected => _expected is null || (!Marked && !_hasOthers && _drafts.Count == _expected.Length);
 
     /// <summary>Layer of the following moves. −1 = none.</summary>
-    public int Current => AreAlike ? Math.Min(_current, 0) : _current;
+    public int Current => !AreAlike || _current < 0 ? _current : Numbers is null ? 0 : Numbers[Math.Min(_current, Numbers.Length - 1)];
 
     /// <summary>True if comments mark the layers.</summary>
     public bool Marked { get; private set; }
 
     /// <summary>True if all layers are one for the moves. Only comments begin them, not heights.</summary>
     public bool AreAlike { get; set; }
+
+    /// <summary>The number of each layer after <see cref="MergeEmpty"/>, where it is known before. Layers are not alike for the moves, then.</summary>
+    public int[]? Numbers { get; set; }
 
     /// <summary>True if the current layer waits for the height of its first flat extrusion.</summary>
     public bool NeedsZ { get; private set; }
@@ -119,8 +122,9 @@ internal sealed class LayerCollector
             numbers[i] = kept.Count;
             if (places[i] == i) kept.Add(_drafts[i]);
         }
-        if (kept.Count == _drafts.Count) return null;
         for (var i = 0; i < places.Length; i++) places[i] = numbers[places[i]];
+        Numbers = places;
+        if (kept.Count == _drafts.Count) return null;
         _drafts.Clear();
         _drafts.AddRange(kept);
         return places;

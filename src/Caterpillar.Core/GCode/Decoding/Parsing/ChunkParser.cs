@@ -29,8 +29,8 @@ internal sealed partial class ChunkParser(byte extruder)
 
     public GCodeChunk? Chunk { get; private set; }
 
-    /// <summary>True while somebody reads what it has found.</summary>
-    public bool IsHeld { get; set; }
+    /// <summary>True while somebody reads what it has found, perhaps another thread.</summary>
+    public volatile bool IsHeld;
 
     /// <summary>Reads a chunk from <paramref name="start"/> on.</summary>
     public void Parse(GCodeChunk chunk, int start)

@@ -19,13 +19,13 @@ internal static class ChunkPipeline
         // Whoever needs a chunk first parses it: another thread, or this one.
         var ahead = new Queue<(GCodeChunk Chunk, ChunkParser Parser, Lazy<ChunkParser> Parsed)>();
         var mostAhead = threads > 1 ? 2 * threads : 1;
-        // The last one is not used yet: others may still read what it has found.
-        var idle = new Queue<ChunkParser>();
+        var idle = new List<ChunkParser>();
         long done = 0;
         var number = 0;
         foreach (var chunk in chunks)
         {
-            var parser = idle.Count > 1 && !idle.Peek().IsHeld ? idle.Dequeue() : new ChunkParser(extruder);
+            var parser = idle.Find(p => !p.IsHeld) ?? new ChunkParser(extruder);
+            idle.Remove(parser);
             // The first chunk may have a byte order mark.
             var start = chunk.Start + (number == 0 ? TextEncoding.MarkLength(chunk) : 0);
             var parsed = new Lazy<ChunkParser>(() =>
@@ -46,7 +46,7 @@ internal static class ChunkPipeline
             var (chunk, parser, parsed) = ahead.Dequeue();
             done += chunk.Length;
             consume(parsed, done);
-            idle.Enqueue(parser);
+            idle.Add(parser);
         }
     }
 }

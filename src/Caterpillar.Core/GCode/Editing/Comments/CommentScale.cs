@@ -11,8 +11,8 @@ internal sealed class CommentScale
 
     private readonly Toolpath _before;
     private readonly Toolpath _after;
-    private readonly MoveCursor _old;
-    private readonly MoveCursor _new;
+    private MoveCursor _old;
+    private MoveCursor _new;
     private bool _afterChange;
 
     public CommentScale(Toolpath before, Toolpath after)
@@ -29,6 +29,9 @@ internal sealed class CommentScale
     /// <summary>True if the heights of layers change.</summary>
     public bool ChangesLayers { get; }
 
+    /// <summary>Continues with other moves of the file, and what became of them.</summary>
+    public void Continue(Toolpath before, Toolpath after) => (_old, _new) = (new MoveCursor(before), new MoveCursor(after));
+
     /// <summary>The new text of a comment on a line of its own.</summary>
     public FileLine Image(FileLine line, int number)
     {
@@ -43,7 +46,7 @@ internal sealed class CommentScale
     {
         var bare = _afterChange;
         _afterChange = text is ";BEFORE_LAYER_CHANGE" or ";AFTER_LAYER_CHANGE";
-        if (ExtrusionAfter(number, _old, _before) is not { } extrusion) return text;
+        if (ExtrusionAfter(number, _old) is not { } extrusion) return text;
         var layer = extrusion.Layer >= 0 ? (Before: _before.Layers[extrusion.Layer], After: _after.Layers[extrusion.Layer]) : default;
         if (layer.Before is not null && !IsSame(layer.Before, layer.After))
         {
@@ -61,10 +64,11 @@ internal sealed class CommentScale
         return factor == 1 ? text : Replace(text, Patterns.Width, w => w * factor);
     }
 
-    private static Move? ExtrusionAfter(int line, MoveCursor moves, Toolpath toolpath)
+    private static Move? ExtrusionAfter(int line, MoveCursor moves)
     {
+        moves.SkipTo(line + 1);
         while (moves.Valid && (moves.Columns.Kind[moves.Index] != MoveKind.Print || moves.Source <= line)) moves.Next();
-        return moves.Valid ? toolpath[moves.Number] : null;
+        return moves.Valid ? moves.Toolpath[moves.Number] : null;
     }
 
     // Most edits keep most heights, and most comments have none: patterns are slow.
@@ -80,7 +84,7 @@ internal sealed class CommentScale
     // From the areas of the extrusion before and after; 1 where only its material was changed.
     private double WidthFactor(Move before, int number, double height)
     {
-        if (ExtrusionAfter(number, _new, _after) is not { } after || after.Source != before.Source) return 1;
+        if (ExtrusionAfter(number, _new) is not { } after || after.Source != before.Source) return 1;
         double was = before.Length, now = after.Length;
         if (!(was > 0 && now > 0 && before.Deposited > 0 && after.Deposited > 0)) return 1;
         if (Math.Abs(now / was - 1) <= NoChange && Math.Abs(height - 1) <= NoChange && !ChangesLayers) return 1;

@@ -1,10 +1,7 @@
 namespace Caterpillar.GCode;
 
-/// <summary>
-/// Changes words of a line in place, in the style of its file, so that it makes a move from a given state. With <paramref name="rewriteAll"/>, correct numbers
-/// are written again, too.
-/// </summary>
-internal sealed class LineRewriter(LineStyle style, FlavorRules rules, ExtrusionAxis axis, ExtrusionAxis source, bool rewriteAll)
+/// <summary>Changes words of a line in place, in the style of its file, so that it makes a move from a given state.</summary>
+internal sealed class LineRewriter(LineStyle style, FlavorRules rules, ExtrusionAxis axis, ExtrusionAxis source)
 {
     private const double NoChange = InterpreterState.NoChange;
 
@@ -65,7 +62,7 @@ internal sealed class LineRewriter(LineStyle style, FlavorRules rules, Extrusion
 
     private static int Own(byte[] text, ParsedLine line, int word) => LineStyle.Decimals(text, line.NumberAt[word], line.NumberEnd[word], out _, out _);
 
-    private bool MayStay(byte[] text, int word) => !rewriteAll && Own(text, _line, word) <= Limit(_line.Letters[word]);
+    private bool MayStay(byte[] text, int word) => Own(text, _line, word) <= Limit(_line.Letters[word]);
 
     private void Motion(TargetMove move, InterpreterState state, int straight)
     {

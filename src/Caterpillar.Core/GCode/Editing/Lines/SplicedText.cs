@@ -1,11 +1,23 @@
 namespace Caterpillar.GCode;
 
-/// <summary>Collects the text of a spliced file. Numbered lines after an inserted or dropped line get new numbers and checksums.</summary>
-internal sealed class SplicedText(SplicedOutput output, LineStyle style)
+/// <summary>
+/// Collects the text of a spliced file and writes it in parts, in the background if requested. An error of the stream is thrown where the next part is full, or
+/// by <see cref="Finish"/>. Numbered lines after an inserted or dropped line get new numbers and checksums.
+/// </summary>
+internal sealed class SplicedText(Stream target, LineStyle style, bool hasThread) : IDisposable
 {
-    private const int MostOwnBytes = 256 * 1024;
+    private const int PartSize = 256 * 1024;
+    private const int LongestNumber = 24;
     private readonly ParsedLine _line = new();
-    private SplicedChunk _chunk = output.NewChunk();
+    private byte[] _buffer = new byte[PartSize];
+    private int _count;
+    private byte[] _other = [];
+    private Task _writing = Task.CompletedTask;
+
+    // What comes next of the text that is read, and is not in the buffer yet.
+    private byte[] _text = [];
+    private int _start;
+    private int _end;
     private int _shift;
     private double _lastNumber;
     private bool _open;
@@ -13,36 +25,49 @@ internal sealed class SplicedText(SplicedOutput output, LineStyle style)
     /// <summary>True while untouched lines can be copied as they are.</summary>
     public bool IsPlain => _shift == 0;
 
-    /// <summary>Bytes of this text are next, from an index on.</summary>
+    /// <summary>Bytes of this text are next, from an index on. It does not change up to the next call.</summary>
     public void Begin(byte[] text, int start)
     {
-        Flush();
-        _chunk.Begin(text, start);
+        Settle();
+        (_text, _start, _end) = (text, start, start);
     }
 
     public void Copy(byte[] text, int start, int end)
     {
         if (end <= start) return;
         _open = text[end - 1] != '\n' && text[end - 1] != '\r';
-        _chunk.Add(text, start, end);
-        if (_chunk.OwnBytes < MostOwnBytes) return;
-        var full = _chunk;
-        Flush();
-        _chunk.BeginAfter(full);
+        if (!ReferenceEquals(text, _text))
+        {
+            Settle();
+            Append(text, start, end);
+            return;
+        }
+        if (start != _end)
+        {
+            Settle();
+            _start = start;
+        }
+        _end = end;
     }
 
     /// <summary>Writes a number in units of its last decimal, in place of the bytes of the text up to an index.</summary>
-    public void Replace(int end, long units, int decimals) => _chunk.Replace(end, units, decimals);
-
-    /// <summary>A line of the file as it is.</summary>
-    public void Add(FileLine line)
+    public void Replace(int end, long units, int decimals)
     {
-        if (style.Numbered) Add(line.Text, line.Start, line.End, line);
-        else Copy(line.Text, line.Start, line.Next);
+        Settle();
+        _count = style.WriteUnits(_buffer, _count, units, decimals);
+        _start = _end = end;
     }
 
+    /// <summary>A line of the file as it is.</summary>
+    public void Add(FileLine line) => Add(line.Text, line.Start, line.End, line);
+
     /// <summary>A changed line, with the line end that it had.</summary>
-    public void Add(byte[] text, int count, FileLine line) => Add(text, 0, count, line);
+    public void Add(byte[] text, int start, int end, FileLine line)
+    {
+        if (style.Numbered) AddNumbered(text, start, end);
+        else Copy(text, start, end);
+        Copy(line.Text, line.End, line.Next);
+    }
 
     /// <summary>Adds a new line.</summary>
     public void AddOwn(byte[] text, int count)
@@ -52,12 +77,11 @@ internal sealed class SplicedText(SplicedOutput output, LineStyle style)
         {
             _shift++;
             var made = new byte[count + 60];
-            var at = WriteNumber(made, _lastNumber + 1);
+            var at = WriteNumber(made, ++_lastNumber);
             made[at++] = (byte)' ';
             Buffer.BlockCopy(text, 0, made, at, count);
             at += count;
             if (style.Checksums) at = Sum(made, at);
-            _lastNumber++;
             Copy(made, 0, at);
         }
         else
@@ -79,17 +103,41 @@ internal sealed class SplicedText(SplicedOutput output, LineStyle style)
         if (_open) Copy(style.LineEnd, 0, style.LineEnd.Length);
     }
 
-    public void Flush()
+    /// <summary>Writes the last part. Everything is written afterwards.</summary>
+    public void Finish()
     {
-        output.Write(_chunk);
-        _chunk = output.NewChunk();
+        Settle();
+        WritePart();
+        _writing.GetAwaiter().GetResult();
     }
 
-    private void Add(byte[] text, int start, int end, FileLine line)
+    // Whoever wants to know of its problem has asked before.
+    public void Dispose() => OwnThread.Wait(_writing);
+
+    private void Settle()
     {
-        if (style.Numbered) AddNumbered(text, start, end);
-        else Copy(text, start, end);
-        Copy(line.Text, line.End, line.Next);
+        Append(_text, _start, _end);
+        _start = _end;
+    }
+
+    // There is room for a number after them.
+    private void Append(byte[] text, int start, int end)
+    {
+        var length = end - start;
+        if (_buffer.Length - _count < length + LongestNumber) WritePart();
+        if (_buffer.Length < length + LongestNumber) _buffer = new byte[Math.Max(length + LongestNumber, PartSize)];
+        Buffer.BlockCopy(text, start, _buffer, _count, length);
+        _count += length;
+    }
+
+    // While it is written, the other buffer is filled.
+    private void WritePart()
+    {
+        _writing.GetAwaiter().GetResult();
+        var (part, count) = (_buffer, _count);
+        if (hasThread) _writing = Task.Run(() => target.Write(part, 0, count));
+        else target.Write(part, 0, count);
+        (_buffer, _other, _count) = (_other, part, 0);
     }
 
     private void AddNumbered(byte[] text, int start, int end)

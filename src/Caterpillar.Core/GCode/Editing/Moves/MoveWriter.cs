@@ -1,14 +1,14 @@
 namespace Caterpillar.GCode;
 
 /// <summary>Writes moves: with the unchanged line of the file, after a line with the missing mode, with other words, or with new lines.</summary>
-internal sealed class MoveWriter(SpliceContext context, MoveConversion conversion, bool rewriteAll)
+internal sealed class MoveWriter(SpliceContext context, MoveConversion conversion)
 {
     private const double NoChange = SpliceContext.NoChange;
     private readonly GCodeInterpreter _written = context.Written;
     private readonly ParsedLine _line = context.Line;
     private readonly LineStyle _style = context.Style;
     private readonly SplicedText _text = context.Text;
-    private readonly LineRewriter _rewriter = new(context.Style, context.Rules, context.Axis, context.Decoding.Axis, rewriteAll);
+    private readonly LineRewriter _rewriter = new(context.Style, context.Rules, context.Axis, context.Decoding.Axis);
     private readonly ParsedLine _inserted = new();
     private readonly double _tolerance = 0.5001 * NumberFormatter.FromUnits(1, context.Style.DecimalsXyz);
 
@@ -29,13 +29,13 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         move = conversion.Scale(move);
         Prepare(move);
         var before = _written.Save(_before);
-        if (!rewriteAll && Does(line, move) && !MustRewrite(line))
+        if (Does(line, move) && !MustRewrite(line))
         {
             CarryRounding(move);
             _text.Add(line);
             return;
         }
-        if (!rewriteAll && context.Target is null && _written.LastMoves.Count == 1 && EndsRight(move))
+        if (context.Target is null && _written.LastMoves.Count == 1 && EndsRight(move))
         {
             _written.Restore(before);
             if (StateMissing(move, before) && Does(line, move))
@@ -61,7 +61,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
             return;
         }
         CarryRounding(move);
-        _text.Add(_rewriter.Bytes, _rewriter.Count, line);
+        _text.Add(_rewriter.Bytes, 0, _rewriter.Count, line);
     }
 
     /// <summary>Writes the current line as it is if it makes all moves from this task on. Otherwise nothing is written.</summary>

@@ -37,7 +37,7 @@ internal sealed class PlainMoves
     // By slot: what becomes of the words of the current line.
     private readonly Number[] _numbers = new Number[Slots];
 
-    public PlainMoves(SpliceContext context, SpliceTasks tasks, CommentBuffer comments, MoveWriter moves, bool rewriteAll)
+    public PlainMoves(SpliceContext context, SpliceTasks tasks, CommentBuffer comments, MoveWriter moves, bool isOff)
     {
         (_context, _tasks, _comments, _moves) = (context, tasks, comments, moves);
         (_read, _written) = (context.Read.State, context.Written.State);
@@ -49,7 +49,7 @@ internal sealed class PlainMoves
             var xyz = _style.LimitXyz ?? int.MaxValue;
             _limits = [xyz, xyz, xyz, _style.LimitE ?? int.MaxValue, _style.LimitF ?? int.MaxValue];
         }
-        _possible = !rewriteAll && !_style.Numbered && !_style.LowerCase && !_style.NoSpace && context.Axis == context.Decoding.Axis
+        _possible = !isOff && !_style.Numbered && !_style.LowerCase && !_style.NoSpace && context.Axis == context.Decoding.Axis
             && context.Axis.Letter != 0 && context.Axis != ExtrusionAxis.Both
             && context.Target is null or { ChangesUnit: false, StatedDiameter: null }
             && KnowsWords(context.Rules.Letters) && KnowsWords(context.Decoding.Flavor.Letters)
@@ -269,13 +269,10 @@ internal sealed class PlainMoves
         ref var head = ref state.Head;
         (head.X, head.Y, head.Z) = (motion.X, motion.Y, motion.Z);
         state.Extrusion.E += motion.Change;
-        if ((line.Mask & ChunkParser.HasF) != 0)
-        {
-            state.Feed.Rate = motion.Feed;
-            state.Feed.Speed = motion.Speed;
-        }
-        if (motion.E > 0) machine.Machine.Extruders.Push(motion.E);
-        else if (motion.E < 0) machine.Machine.Extruders.Pull(-motion.E);
+        if ((line.Mask & ChunkParser.HasF) != 0) state.Feed.Set(motion.Feed, 1);
+        // Of its sums only the retraction matters.
+        if (motion.E < 0) machine.Machine.Extruders.Pull(-motion.E);
+        else if (motion.E > 0 && machine.Machine.Extruders.IsRetracted) machine.Machine.Extruders.Push(motion.E);
     }
 
     // What a line does: where it ends, the change of its E word and what that extrudes, its feed rate in mm/min and the speed that follows.

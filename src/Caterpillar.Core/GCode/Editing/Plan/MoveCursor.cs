@@ -3,25 +3,26 @@ namespace Caterpillar.GCode;
 /// <summary>Reads the moves of a toolpath.</summary>
 internal sealed class MoveCursor
 {
-    private readonly Toolpath _toolpath;
     private int _block = -1;
 
     public MoveCursor(Toolpath toolpath)
     {
-        _toolpath = toolpath;
+        Toolpath = toolpath;
         NextBlock();
     }
+
+    public Toolpath Toolpath { get; }
 
     public ToolpathColumns Columns { get; private set; } = null!;
 
     public int Index { get; private set; }
 
-    public bool Valid => _block < _toolpath.Blocks.Count;
+    public bool Valid => _block < Toolpath.Blocks.Count;
 
     public int Source => Columns.Source[Index];
 
     /// <summary>Number of the move in its toolpath.</summary>
-    public int Number => Valid ? _toolpath.FirstOf(_block) + Index : _toolpath.Count;
+    public int Number => Valid ? Toolpath.FirstOf(_block) + Index : Toolpath.Count;
 
     public void Next()
     {
@@ -55,6 +56,6 @@ internal sealed class MoveCursor
     {
         Index = 0;
         _block++;
-        if (Valid) Columns = _toolpath.Blocks[_block].Columns;
+        if (Valid) Columns = Toolpath.Blocks[_block].Columns;
     }
 }
