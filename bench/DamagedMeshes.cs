@@ -32,7 +32,7 @@ internal static class DamagedMeshes
         long layers = 0;
         for (var seed = first; seed < first + count; seed++)
         {
-            var good = MeshReader.ReadMerged(Path.Combine(folder, Names[seed % Names.Length])).Value!;
+            var good = TriMesh.Merge(MeshReader.Read(Path.Combine(folder, Names[seed % Names.Length])).Value!.Select(m => m.Mesh));
             var (damaged, what) = MeshDamage.Damage(good, seed);
             var heights = Enumerable.Range(0, (int)(good.Bounds.Max.Z / Thickness)).Select(i => (i + 0.5) * Thickness).ToArray();
             layers += heights.Length;

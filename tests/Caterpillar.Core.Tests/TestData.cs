@@ -1,6 +1,8 @@
 using System;
 using System.IO;
 using System.IO.Compression;
+using System.Linq;
+using Caterpillar.Geometry;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests;
@@ -40,6 +42,9 @@ internal static class TestData
         packed.CopyTo(memory);
         return memory.ToArray();
     }
+
+    /// <summary>Everything in a mesh file as one mesh.</summary>
+    public static TriMesh Mesh(string file) => TriMesh.Merge(MeshReader.Read(file).Value!.Select(m => m.Mesh));
 
     private static string FindRepository()
     {

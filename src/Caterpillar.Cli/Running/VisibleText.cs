@@ -1,32 +1,21 @@
-using System.Diagnostics.CodeAnalysis;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Text for a terminal: control characters of names in files are written as <c>\u001B</c>, which is also valid in JSON.</summary>
-internal sealed class VisibleText(TextWriter inner) : TextWriter(CultureInfo.InvariantCulture)
+internal sealed class VisibleText : TextWriter
 {
-    public override Encoding Encoding => inner.Encoding;
+    private readonly TextWriter _inner;
 
-    [AllowNull]
-    public override string NewLine
-    {
-        get => inner.NewLine;
-        set => inner.NewLine = value;
-    }
+    public VisibleText(TextWriter inner)
+        : base(CultureInfo.InvariantCulture)
+        => (_inner, CoreNewLine) = (inner, inner.NewLine.ToCharArray());
 
-    public override void Write(char value) => inner.Write(LongWords.Visible(value.ToString()));
+    public override Encoding Encoding => _inner.Encoding;
 
-    public override void Write(char[] buffer, int index, int count) => inner.Write(LongWords.Visible(new string(buffer, index, count)));
+    public override void Write(char value) => _inner.Write(LongWords.Visible(value.ToString()));
 
-    public override void Write(string? value) => inner.Write(value is null ? null : LongWords.Visible(value));
+    public override void Write(char[] buffer, int index, int count) => _inner.Write(LongWords.Visible(new string(buffer, index, count)));
 
-    public override void WriteLine() => inner.WriteLine();
+    public override void Write(string? value) => _inner.Write(value is null ? null : LongWords.Visible(value));
 
-    public override void WriteLine(string? value)
-    {
-        Write(value);
-        inner.WriteLine();
-    }
-
-    public override void Flush() => inner.Flush();
+    public override void Flush() => _inner.Flush();
 }

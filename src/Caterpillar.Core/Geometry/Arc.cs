@@ -56,19 +56,14 @@ public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = Ar
     /// <summary>The point at parameter <paramref name="t"/> of a segment, which is straight without an arc.</summary>
     internal static Vec3 PointAt(Arc? arc, Vec3 start, Vec3 end, double t) => arc is { } turn ? turn.PointAt(start, end, t) : Vec3.Lerp(start, end, t);
 
-    /// <summary>The exact bounding box of the arc from start to end, mm.</summary>
+    /// <summary>The bounding box of the arc from start to end, mm, with the radius of the start.</summary>
     public Bounds Bounds(Vec3 start, Vec3 end)
     {
-        var bounds = Geometry.Bounds.Empty.Include(start).Include(end);
-        var (u, v, _) = Local(start);
-        if (u == 0 && v == 0) return bounds;
-        var from = Angle.Atan2(v, u);
-        var to = from + Sweep;
-        var (low, high) = from < to ? (from, to) : (to, from);
-        var first = Math.Ceiling(low / 90);
-        for (var k = 0; k < 4 && (first + k) * 90 <= high; k++)
-            bounds = bounds.Include(PointAt(start, end, ((first + k) * 90 - from) / Sweep));
-        return bounds;
+        var box = new GrowingBox();
+        box.Include(start);
+        box.Include(end);
+        box.Include(this, start, end);
+        return box.ToBounds();
     }
 
     /// <summary>Number of equal chords that deviate from the arc by at most <paramref name="tolerance"/> mm, at least 1.</summary>

@@ -28,7 +28,7 @@ public class CrossingTests
     [TestCaseSource(nameof(Cases))]
     public void No_extrusion_crosses_a_hole_and_no_travel_a_wall_without_retraction(string name, bool infill)
     {
-        var mesh = MeshReader.ReadMerged(TestData.Shared("meshes/" + name)).Value!.Scaled(0.6).Moved(new Vec3(110, 110));
+        var mesh = TestData.Mesh(TestData.Shared("meshes/" + name)).Scaled(0.6).Moved(new Vec3(110, 110));
         var setup = new PrintSetup
         {
             Settings = new PrintSettings

@@ -19,7 +19,7 @@ public class BoundaryFieldTests
     private static MeshBoundaries Ends(TriMesh mesh) => MeshBoundaries.Find(mesh).OrThrow();
 
     private static TriMesh Branching()
-        => MeshReader.ReadMerged(Path.Combine(TestData.Repository, "examples", "models", "branching.stl")).Value!.Moved(new Vec3(100, 100));
+        => TestData.Mesh(Path.Combine(TestData.Repository, "examples", "models", "branching.stl")).Moved(new Vec3(100, 100));
 
     [Test]
     public void By_distances_the_layers_of_a_cone_are_level_and_equally_thick()

@@ -48,7 +48,7 @@ public class ExampleModelTests
     [TestCase("terrain.stl", 2, 1, 0)]
     public void Sections_have_their_contours(string name, double z, int outer, int holes)
     {
-        var loops = MeshSections.At(MeshReader.ReadMerged(PathOf(name)).Value!, [z]).Value!.Single().Loops;
+        var loops = MeshSections.At(TestData.Mesh(PathOf(name)), [z]).Value!.Single().Loops;
         Assert.That((loops.Count(l => l.SignedAreaXY > 0), loops.Count(l => l.SignedAreaXY < 0)), Is.EqualTo((outer, holes)));
     }
 
@@ -58,7 +58,7 @@ public class ExampleModelTests
         // Foot, upright, rib; the holes are 48-gons.
         double Hole(double r) => 24 * r * r * Caterpillar.Basics.Angle.Sin(7.5);
         var volume = 60 * 40 * 6 + 6 * 40 * 44 + 6 * 200 - 2 * 6 * Hole(3) - 2 * 6 * Hole(2.5);
-        Assert.That(MeshReader.ReadMerged(PathOf("bracket.stl")).Value!.Volume, Is.EqualTo(volume).Within(1e-3));
+        Assert.That(TestData.Mesh(PathOf("bracket.stl")).Volume, Is.EqualTo(volume).Within(1e-3));
     }
 
     private static string PathOf(string name) => Path.Combine(TestData.Repository, "examples", "models", name);

@@ -12,7 +12,7 @@ public class RealRegionTests
 {
     private static IReadOnlyList<Section> Sections(string file, params double[] shares)
     {
-        var mesh = MeshReader.ReadMerged(TestData.Shared("meshes/" + file)).Value!;
+        var mesh = TestData.Mesh(TestData.Shared("meshes/" + file));
         var (low, height) = (mesh.Bounds.Min.Z, mesh.Bounds.Size.Z);
         return MeshSections.At(mesh, shares.Select(s => low + s * height).ToArray()).Value!;
     }

@@ -41,7 +41,7 @@ public sealed class ProgramTests : IDisposable
     public void Slice_with_a_profile()
     {
         var file = Decoded(Sliced);
-        var model = MeshReader.ReadMerged(Bracket).OrThrow();
+        var model = MeshReader.Read(Bracket).OrThrow().Single().Mesh;
         var box = new MoveFilter { Roles = [Role.OuterWall] }.BoundsIn(file.Toolpath);
         var printer = new ProfileLibrary().Printer("ender3").OrThrow();
         Assert.That((box.Center - printer.BuildBounds.Center).LengthXY, Is.EqualTo(0).Within(0.05));

@@ -76,7 +76,7 @@ public class ModelPlacementTests
     [TestCase("spot.obj", 1)]
     public void Real_models_lie_on_a_face_of_their_hull(string file, double least)
     {
-        var mesh = MeshReader.ReadMerged(TestData.Shared("meshes/" + file)).Value!.Rotated(new Vec3(1, 2, 3), 77);
+        var mesh = TestData.Mesh(TestData.Shared("meshes/" + file)).Rotated(new Vec3(1, 2, 3), 77);
         var first = new[] { new NamedMesh("a", mesh) }.LaidFlat()[0].Mesh;
         var again = new[] { new NamedMesh("a", mesh) }.LaidFlat()[0].Mesh;
         Assert.That(again.Vertices, Is.EqualTo(first.Vertices), "the same every time");

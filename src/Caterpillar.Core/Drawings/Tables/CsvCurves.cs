@@ -9,17 +9,13 @@ internal sealed class CsvCurves(CurveSource source)
 {
     private const int MaxColumns = 64;
 
-    // For so many points there is room without a look at how many follow.
-    private const int Few = 1024;
-
     private readonly byte[] _bytes = source.Bytes;
     private readonly List<double>?[] _values = new List<double>?[CurveColumns.Settings];
     private readonly int[] _starts = new int[MaxColumns];
     private readonly int[] _ends = new int[MaxColumns];
     private CurveColumn[]? _columns;
     private byte _delimiter;
-    private Vec3[] _points = [];
-    private int _count;
+    private readonly List<Vec3> _points = [];
     private byte _lineEnd;
     private int _curveLine;
     private int _line = 1;
@@ -94,24 +90,9 @@ internal sealed class CsvCurves(CurveSource source)
 
     private void Add(double x, double y, double z)
     {
-        if (_count == 0) _curveLine = _line;
-        if (_count == _points.Length) Array.Resize(ref _points, _count < Few ? Few : _count + LinesFrom(_lineStart));
+        if (_points.Count == 0) _curveLine = _line;
         var unit = source.Options.UnitLength;
-        _points[_count++] = new Vec3(x * unit, y * unit, z * unit);
-    }
-
-    // Lines from one on up to an empty one, which ends the curve.
-    private int LinesFrom(int start)
-    {
-        var lines = 0;
-        for (var at = start; at < _bytes.Length; at++)
-        {
-            if (_bytes[at] != _lineEnd) continue;
-            if (at == start) return lines;
-            start = at + 1;
-            lines++;
-        }
-        return start < _bytes.Length ? lines + 1 : lines;
+        _points.Add(new Vec3(x * unit, y * unit, z * unit));
     }
 
     // True if the row already holds values: then the columns are x, y and z.
@@ -155,7 +136,7 @@ internal sealed class CsvCurves(CurveSource source)
             return Fail("curves.csv", $"The row has {NumberFormatter.Format(cells)} cells instead of {NumberFormatter.Format(columns.Length)}.", _starts[0]);
         var key = Array.IndexOf(columns, CurveColumn.Key);
         if (key >= 0 && !SameKey(_starts[key], _ends[key])) EndCurve();
-        if (_count == 0)
+        if (_points.Count == 0)
         {
             _curveLine = _line;
             (_keyStart, _keyEnd) = key >= 0 ? (_starts[key], _ends[key]) : (0, 0);
@@ -170,7 +151,7 @@ internal sealed class CsvCurves(CurveSource source)
             if (column > CurveColumn.Z && value < 0 && column != CurveColumn.Layer) return Fail("curves.bead", CurveColumns.Negative, _starts[i]);
             if (column - CurveColumn.Area is >= 0 and < CurveColumns.Settings and var setting) _values[setting]!.Add(value);
             else if (column != CurveColumn.Dot) _row[(int)column] = value;
-            else if (value > 0) _dots.Add((_count, value));
+            else if (value > 0) _dots.Add((_points.Count, value));
         }
         if (Given(CurveColumn.Tool) is > 1000 || Given(CurveColumn.Layer) is > 1e8 or < -1e8)
             return Fail("curves.number", "The tool or layer number is out of range.", _starts[0]);
@@ -182,14 +163,11 @@ internal sealed class CsvCurves(CurveSource source)
 
     private void EndCurve()
     {
-        if (_count == 0) return;
-        var points = _points;
-        Array.Resize(ref points, _count);
+        if (_points.Count == 0) return;
+        var points = _points.ToArray();
         var columns = Array.ConvertAll(_values, v => v?.ToArray());
         foreach (var column in _values) column?.Clear();
-        // A full array is the curve's now.
-        if (_count == _points.Length) _points = [];
-        _count = 0;
+        _points.Clear();
         if (_dots.Count == 0)
         {
             Add(points, columns, 0);
@@ -235,7 +213,7 @@ internal sealed class CsvCurves(CurveSource source)
 
     private bool SameKey(int start, int end)
     {
-        if (_count == 0) return true;
+        if (_points.Count == 0) return true;
         if (end - start != _keyEnd - _keyStart) return false;
         for (var i = 0; i < end - start; i++)
         {

@@ -24,9 +24,10 @@ internal sealed class SlopedFeed(AxisValues? most, double rounded)
             return wanted;
         }
         if (!(_last <= held && _last >= Even * held)) _last = held;
-        _moves++;
         // Shorter ones vanish in the file.
-        if (length >= rounded) _least = Math.Min(_least, _last);
+        if (length < rounded) return _last;
+        _moves++;
+        _least = Math.Min(_least, _last);
         _seconds += length / _last - length / wanted;
         return _last;
 

@@ -295,7 +295,7 @@ internal sealed class Deposit
             while (column <= last)
             {
                 var tile = _cells.TileOf(column, i);
-                for (var stop = Math.Min(last, DepositCells.LastInTile(column)); column <= stop; column++)
+                for (var stop = Math.Min(last, column | (DepositCells.Wide - 1)); column <= stop; column++)
                 {
                     var along = (((column + 0.5) * _cell - extrusion.Ax) * dx + across) * inverse;
                     along = along < 0 ? 0 : along > 1 ? 1 : along;

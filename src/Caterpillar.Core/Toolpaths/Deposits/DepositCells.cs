@@ -36,16 +36,13 @@ internal sealed class DepositCells
     /// <summary>The tile of a cell, a new one if there is none.</summary>
     public DepositCell[] TileOf(int column, int row) => Find(column, row) ?? Make(column, row);
 
-    /// <summary>The last column of the tile of a column.</summary>
-    public static int LastInTile(int column) => column | (Wide - 1);
-
     /// <summary>Adds a height to spans of rows of one tile, between two columns.</summary>
     public void Lay((int First, int Last)[] spans, int row, int end, int left, int right, double top)
     {
-        for (var from = left; from <= right; from = LastInTile(from) + 1)
+        for (var from = left; from <= right; from = (from | (Wide - 1)) + 1)
         {
             var tile = TileOf(from, row);
-            int first = from & ~(Wide - 1), last = LastInTile(from);
+            int first = from & ~(Wide - 1), last = first + Wide - 1;
             for (var i = row; i <= end; i++)
             {
                 var at = ((i & (DepositBin.Side - 1)) << ColumnBits) - first;

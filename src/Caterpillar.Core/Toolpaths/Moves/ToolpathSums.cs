@@ -86,10 +86,7 @@ internal sealed class ToolpathSums
             var box = c.Role[i] is Role.Skirt or Role.Purge or Role.PrimeTower ? _others : _part;
             box.Include(start);
             box.Include(end);
-            if (!turns) return true;
-            var bounds = arc.Bounds(start, end);
-            box.Include(bounds.Min);
-            box.Include(bounds.Max);
+            if (turns) box.Include(arc, start, end);
             return true;
         }
         if (kind is MoveKind.Retract or MoveKind.Wipe) _retractions++;

@@ -35,7 +35,7 @@ public class DamagedMeshTests
     [Test]
     public void A_tip_that_is_cut_off_loses_only_layers_above_the_rim_of_its_hole()
     {
-        var good = MeshReader.ReadMerged(TestData.Shared("meshes/" + Names[TipCutOff % Names.Length])).Value!;
+        var good = TestData.Mesh(TestData.Shared("meshes/" + Names[TipCutOff % Names.Length]));
         var read = MeshReader.Read(StlWriter.ToBytes(MeshDamage.Damage(good, TipCutOff).Mesh), "damaged.stl").Value!;
         var repaired = MeshRepair.ToSolid(TriMesh.Merge(read.Select(m => m.Mesh)));
         var heights = Enumerable.Range(0, (int)(good.Bounds.Max.Z / 0.2)).Select(i => (i + 0.5) * 0.2).ToArray();
@@ -52,7 +52,7 @@ public class DamagedMeshTests
 
     private static void Check(int seed, double every)
     {
-        var good = MeshReader.ReadMerged(TestData.Shared("meshes/" + Names[seed % Names.Length])).Value!;
+        var good = TestData.Mesh(TestData.Shared("meshes/" + Names[seed % Names.Length]));
         var (damaged, what) = MeshDamage.Damage(good, seed);
         var read = MeshReader.Read(StlWriter.ToBytes(damaged), "damaged.stl").Value!;
         var repaired = MeshRepair.ToSolid(TriMesh.Merge(read.Select(m => m.Mesh))).Mesh;

@@ -60,5 +60,5 @@ public class MeshSectionSharedTests
     internal static JObject Truth(string name) => (JObject)JObject.Parse(File.ReadAllText(TestData.Shared("meshes/sections.json")))[name]!;
 
     internal static TriMesh Mesh(string name)
-        => name == "bumpy_sphere" ? MeshMaker.BumpySphere() : MeshReader.ReadMerged(TestData.Shared("meshes/" + name)).Value!;
+        => name == "bumpy_sphere" ? MeshMaker.BumpySphere() : TestData.Mesh(TestData.Shared("meshes/" + name));
 }

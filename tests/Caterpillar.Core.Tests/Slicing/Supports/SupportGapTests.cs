@@ -35,7 +35,7 @@ public class SupportGapTests
             InfillDensityPercent = 0, WallCount = 1, MinLayerTime = 0, SkirtLoops = 0, Support = kind, SupportTopGap = LayerHeight,
                 SupportBottomGap = LayerHeight, MaxBridgeLength = 0, SupportRemoveSmallOverhang = false,
         };
-        var model = MeshReader.ReadMerged(TestData.Shared("meshes/" + mesh)).Value!;
+        var model = TestData.Mesh(TestData.Shared("meshes/" + mesh));
         if (mesh is "cheburashka.ply" or "homer.stl" or "spot.obj") model = model.Scaled(0.5);
         var layers = Solids.Slice(settings, model);
         Beads Part(int i) => new(model.Bounds, i < layers.Count ? layers[i].Steps.Where(s => !IsSupport(s)).Select(s => s.Path) : []);

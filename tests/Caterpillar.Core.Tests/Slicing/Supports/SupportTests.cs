@@ -47,7 +47,7 @@ public class SupportTests
         "table" => Table,
         "footed" => Footed,
         "cone" => [Solids.Cone(0, 3, 5, 3), Solids.Cone(4.99, 3, 10, 15)],
-        _ => [MeshReader.ReadMerged(TestData.Shared(name)).Value!.Scaled(0.6)],
+        _ => [TestData.Mesh(TestData.Shared(name)).Scaled(0.6)],
     };
 
     [TestCaseSource(nameof(Prints))]

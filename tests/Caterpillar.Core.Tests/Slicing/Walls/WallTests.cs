@@ -151,7 +151,7 @@ public class WallTests
     [TestCase("meshes/homer.stl", 30.1)]
     public void The_outer_wall_follows_the_outline_within_a_hundredth_of_a_millimeter(string file, double z)
     {
-        var section = MeshSections.At(MeshReader.ReadMerged(TestData.Shared(file)).Value!, [z]).Value![0];
+        var section = MeshSections.At(TestData.Mesh(TestData.Shared(file)), [z]).Value![0];
         var region = Region.From(section.Loops).Simplified(0.0125);
         var outer = new WallBuilder(Rules(), new RegionEngine()).Build(region).Paths.Where(p => p is { Index: 0, IsExtrusion: false }).ToArray();
         // Whole contours at the nominal distance: between the outlines that are a little nearer and a little farther.

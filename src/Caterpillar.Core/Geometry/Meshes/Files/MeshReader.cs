@@ -34,15 +34,6 @@ public static class MeshReader
         }
     }
 
-    /// <summary>Reads a file and merges everything in it into one mesh.</summary>
-    /// <exception cref="IOException">The file cannot be read from the disk.</exception>
-    /// <exception cref="OperationCanceledException">Reading was canceled.</exception>
-    public static Result<TriMesh> ReadMerged(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
-    {
-        var read = Read(path, progress, cancel);
-        return new Result<TriMesh>(read.Value is null ? null : TriMesh.Merge(read.Value.Select(m => m.Mesh)), read.Diagnostics);
-    }
-
     /// <summary>The file's name without folder and extensions.</summary>
     internal static string PlainName(string name)
     {
