@@ -113,7 +113,7 @@ internal sealed class LayerCollector
         var any = _drafts.Exists(d => d.IsPrinted);
         // They were only expected.
         if (!any && !Marked) _drafts.Clear();
-        if (!any || _drafts.TrueForAll(d => d.IsPrinted)) return null;
+        if (!any) return null;
         var places = InPlaceOf();
         var kept = new List<Draft>(_drafts.Count);
         var numbers = new int[places.Length];
