@@ -130,7 +130,7 @@ async function element() {
   await set("at", 1);
   await page.until("moments.some((m) => m.layer === 1 && m.seconds > 0)");
   // The frame draws in a process of its own.
-  for (let i = 0; before.equals(await picture()); i++) if (i === 25) return fault("draws the same with other attributes");
+  for (let i = 0; before.equals(await picture()); i++) if (i === 75) return fault("draws the same with other attributes");
   const small = await value("document.querySelector('caterpillar-viewer').shadowRoot.querySelector('iframe').getBoundingClientRect().height");
   if (small !== 500) fault(`is ${small} high`);
 }
