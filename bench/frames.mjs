@@ -24,7 +24,7 @@ const page = await open("chromium", ["--window-size=1280,860"]), { send, value, 
 const start = Date.now();
 await send("Page.navigate", { url: `file://${file}` });
 await until("document.documentElement.dataset.state === 'ready'");
-console.log(`ready after ${Date.now() - start} ms, ${await value("measured.scene.lists.beads.count")} extrusions`);
+console.log(`ready after ${Date.now() - start} ms, ${await value("document.documentElement.dataset.beads")} extrusions`);
 await until("ends.length > 0 && !measured.isFirst && !measured.isQueued && !measured.whole");
 console.log(`images of what is seen from outside, of all, and smooth: ${(await value("shown")).map((t) => t.toFixed(0)).join(", ")} ms after the page was opened`);
 console.log(`images of all extrusions, the last smooth: ${(await value("ends")).map((t) => t.toFixed(0)).join(", ")} ms after the page was opened`);

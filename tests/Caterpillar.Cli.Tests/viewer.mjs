@@ -58,6 +58,16 @@ function inside() {
   }
 }
 
+// A model alone has no extrusions, and is drawn quickly all the same.
+function model() {
+  name = "model";
+  const source = readFileSync(new URL("../../src/Caterpillar.Core/Display/Viewing/Page/scene.js", import.meta.url), "utf8");
+  const [Scene, cut] = new Function(source + "; return [Scene, uncut];")();
+  const drawn = [], scene = { lists: {}, resize() {}, drawBackground() {}, drawBeads() {}, drawForeground() { drawn.push("model"); } };
+  Scene.prototype.drawQuickly.call(scene, null, { cut }, 1);
+  if (drawn.join() !== "model") fault("drawn is " + drawn);
+}
+
 // The colors of filaments come from the comments of the file, and a change is marked.
 async function filaments() {
   name = "filaments";
@@ -216,6 +226,7 @@ for (const domain of ["Runtime", "Accessibility"]) await send(domain + ".enable"
 fits();
 await colors();
 inside();
+model();
 await filaments();
 await cuts();
 await moments();

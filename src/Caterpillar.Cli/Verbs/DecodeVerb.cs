@@ -104,16 +104,16 @@ internal sealed class DecodeVerb : Verb
         var name = Session.NameOf(file);
         using var plain = GzipReader.Open(session.OpenRead(file));
         hash &= HasSha256;
-        // A file is read again for its hash while it is decoded: without its end, decoding would have to wait for the whole text.
-        var beside = hash && plain.CanSeek ? Task.Run(() => HashOf(file, session)) : null;
-        using var sum = hash && beside is null ? SHA256.Create() : null;
+        // A file is read a second time for its hash: a stream that is being hashed cannot jump to its end, where decoding looks first.
+        var hashing = hash && plain.CanSeek ? Task.Run(() => HashOf(file, session)) : null;
+        using var sum = hash && hashing is null ? SHA256.Create() : null;
         using var stream = sum is null ? plain : new CryptoStream(plain, sum, CryptoStreamMode.Read);
         var result = session.Decode(stream, name, options);
         if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.compression", name)]);
         var decoding = session.GCodeOrFail(result);
         var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
         if (sum is not null) stream.CopyTo(Stream.Null);
-        var bytes = beside?.GetAwaiter().GetResult() ?? sum?.Hash ?? [];
+        var bytes = hashing?.GetAwaiter().GetResult() ?? sum?.Hash ?? [];
         return (name, decoding, report with { Sha256 = Convert.ToHexStringLower(bytes) });
     }
 

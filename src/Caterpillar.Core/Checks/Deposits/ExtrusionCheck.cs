@@ -31,7 +31,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
     private Vec3 _start, _end;
     private bool _isOpen, _anchored, _startsHeld, _hasLanded;
     private double _air, _sinceExact;
-    private CheckedMove _airMove;
+    private (int Index, Role Role) _airMove;
     private double _length, _volume, _sinceGap, _gap;
     private double _standing, _highest;
 
@@ -210,7 +210,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
 
     private void Fly(in CheckedMove move, double step)
     {
-        if (_air == 0) _airMove = move;
+        if (_air == 0) _airMove = (move.Index, move.Role);
         _air += step;
     }
 

@@ -48,7 +48,7 @@ function inLayers(i) {
 }
 
 function filter() {
-  const beads = [], inside = [], outside = [], travels = [], retractions = [], seams = [], above = [];
+  const inside = [], outside = [], travels = [], retractions = [], seams = [], above = [];
   const insideRoles = rolesInside(moves.role, hidden);
   let before = -1;
   for (let i = 0; i < moves.rows; i++) {
@@ -57,21 +57,17 @@ function filter() {
     if (inLayers(i)) {
       if (role >= 0) {
         if (!hidden.has(role)) {
-          beads.push(i);
           const rank = ranks[moves.layer[i]];
           (insideRoles.has(role) && rank > firstLayer && rank < lastLayer ? inside : outside).push(i);
         }
         if (before < 0 && (role === 1 || role === 0)) seams.push(i);
-      } else if (kind === kinds.prime && moves.width[i] > 0 && !hidden.has(moves.role[i])) {
-        beads.push(i);
-        outside.push(i);
-      } else if (kind === kinds.retract) retractions.push(i);
+      } else if (kind === kinds.prime && moves.width[i] > 0 && !hidden.has(moves.role[i])) outside.push(i);
+      else if (kind === kinds.retract) retractions.push(i);
       else if (kind === kinds.travel || kind === kinds.wipe || kind === kinds.movingDeretract) travels.push(i);
     } else if (role === 1 && moves.layer[i] >= 0 && ranks[moves.layer[i]] > lastLayer) above.push(i);
     before = role;
   }
   scene.list("above", Uint32Array.from(above));
-  scene.list("beads", Uint32Array.from(beads));
   scene.list("inside", Uint32Array.from(inside));
   scene.list("outside", Uint32Array.from(outside));
   scene.list("travels", Uint32Array.from(travels));
@@ -529,7 +525,7 @@ async function start() {
   byId("message").hidden = true;
   document.documentElement.dataset.state = "ready";
   console.info("ready");
-  document.documentElement.dataset.beads = String(scene.lists.beads?.count ?? 0);
+  document.documentElement.dataset.beads = String((scene.lists.outside?.count ?? 0) + (scene.lists.inside?.count ?? 0));
   await readFilaments();
 }
 

@@ -254,7 +254,7 @@ class Scene {
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, textureWidth, this.colorRows, gl.RGBA, gl.UNSIGNED_BYTE, this.colorBytes);
   }
 
-  // Rows to draw, ascending, by name: beads, travels, retractions, seams.
+  // Rows to draw, ascending, by name: extrusions outside and inside, travels, retractions, seams.
   list(name, rows) {
     const gl = this.gl, entry = this.lists[name] ??= {}, lines = Math.max(Math.ceil(rows.length / textureWidth), 1);
     const data = new Uint32Array(lines * textureWidth);
@@ -314,7 +314,7 @@ class Scene {
   }
 
   // The extrusions of some rows of a list, in steps of skip.
-  drawBeads(camera, state, { list = "beads", picking = false, quick = picking, skip = 1, from = 0, to = Infinity } = {}) {
+  drawBeads(list, camera, state, { picking = false, quick = picking, skip = 1, from = 0, to = Infinity } = {}) {
     if (!this.lists[list]?.count) return;
     const gl = this.gl, uniforms = this.use(this.beads, camera), count = Math.min(this.rowsOf(list, uniforms, skip), to);
     gl.uniform1f(uniforms.unit, this.unit);
@@ -382,10 +382,10 @@ class Scene {
   drawQuickly(camera, state, skip) {
     this.resize();
     this.drawBackground(camera, state);
-    const { count, rows } = this.lists.inside;
-    this.drawBeads(camera, state, { list: "outside", quick: true, skip });
-    if (state.cut !== uncut) this.drawBeads(camera, state, { list: "inside", quick: true, skip });
-    else if (count < rows.length) this.drawBeads(camera, state, { list: "inside", quick: true, from: Math.max(count - newest, 0) });
+    this.drawBeads("outside", camera, state, { quick: true, skip });
+    const inside = this.lists.inside;
+    if (state.cut !== uncut) this.drawBeads("inside", camera, state, { quick: true, skip });
+    else if (inside?.count < inside?.rows.length) this.drawBeads("inside", camera, state, { quick: true, from: Math.max(inside.count - newest, 0) });
     this.drawForeground(camera, state);
   }
 
@@ -403,7 +403,7 @@ class Scene {
       for (let done = 0; done < pieces; done++) {
         const from = pieces === 1 ? 0 : (camera.back[2] > 0 ? pieces - 1 - done : done) * extrusions;
         gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
-        this.drawBeads(camera, state, { list, quick: !smooth, from, to: from + extrusions });
+        this.drawBeads(list, camera, state, { quick: !smooth, from, to: from + extrusions });
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         yield;
       }
@@ -473,7 +473,7 @@ class Scene {
     gl.scissor(px, py, 1, 1);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    this.drawBeads(camera, state, { picking: true });
+    for (const list of ["outside", "inside"]) this.drawBeads(list, camera, state, { picking: true });
     const color = new Uint8Array(4);
     gl.readPixels(px, py, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, color);
     gl.disable(gl.SCISSOR_TEST);
