@@ -5,7 +5,7 @@ namespace Caterpillar.Curved;
 /// <param name="tolerance">mm.</param>
 /// <param name="part">Points of the part.</param>
 /// <param name="flat">The same points, bent.</param>
-internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyList<Vec3> part, IReadOnlyList<Vec3> flat)
+internal sealed class BentPieces(LayerField field, double tolerance, List<Vec3> part, List<Vec3> flat)
 {
     // Uneven, so that waves do not hide between them.
     private static readonly double[] Shares = [0.5, 0.27, 0.81];
@@ -17,36 +17,38 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
     private readonly IReadOnlyList<double> _creases = field.Creases;
 
     /// <summary>Where an edge must be divided; null if it matches.</summary>
-    public (Vec3 Part, Vec3 Flat)? Test(int a, int b)
+    public (Vec3 Part, Vec3 Flat)? Test((int A, int B) edge)
     {
+        var (a, b) = edge;
         // Shorter ones would not be seen in print.
         if (part[a].DistanceTo(part[b]) < tolerance) return null;
         if (IsShort(a, b) && !IsOff(a, b, 0.5, Clear)) return null;
         foreach (var t in Shares)
         {
-            if (IsOff(a, b, t)) return Middle(a, b);
+            if (IsOff(a, b, t)) return Middle(edge);
         }
         var samples = Samples(part[b] - part[a], 2);
         for (var i = 0; i < samples; i++)
         {
-            if (IsOff(a, b, (i + Shares[i % 3]) / samples)) return Middle(a, b);
+            if (IsOff(a, b, (i + Shares[i % 3]) / samples)) return Middle(edge);
         }
         return null;
     }
 
     /// <summary>Where an edge is divided: where it crosses a crease of the field, else in its middle.</summary>
-    public (Vec3 Part, Vec3 Flat) Middle(int a, int b)
+    public (Vec3 Part, Vec3 Flat) Middle((int A, int B) edge)
     {
-        var at = MiddleOf(a, b);
+        var at = MiddleOf(edge.A, edge.B);
         return (at, field.ToFlat(at));
     }
 
     /// <summary>Shorter edges would not be seen in print.</summary>
-    public bool CanDivide(int a, int b) => (part[a] - part[b]).LengthSquared > 4 * tolerance * tolerance;
+    public bool CanDivide((int A, int B) edge) => (part[edge.A] - part[edge.B]).LengthSquared > 4 * tolerance * tolerance;
 
     /// <summary>Whether a triangle with edges that match does so inside, too.</summary>
-    public bool IsFlat(int a, int b, int c)
+    public bool IsFlat((int A, int B, int C) corners)
     {
+        var (a, b, c) = corners;
         // Turned until the longest edge comes first.
         double ab = (part[b] - part[a]).LengthSquared, bc = (part[c] - part[b]).LengthSquared, ca = (part[a] - part[c]).LengthSquared;
         if (bc > ab && bc >= ca) (a, b, c, ab) = (b, c, a, bc);
