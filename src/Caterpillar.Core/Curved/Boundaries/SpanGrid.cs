@@ -6,8 +6,10 @@ namespace Caterpillar.Curved;
 /// </summary>
 internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
 {
-    // Nodes around the outlines that are found exactly; farther out the nearest of them counts.
+    // Nodes around the part. Steps between nodes within which heights around outlines are their own; farther out those of the nearest ones count.
     private const int Margin = 3;
+    private const int Around = 9;
+    private const double LeastGap = 1e-5;
 
     private readonly SlopeGrid _nodes = new(bounds.Min - new Vec3(Margin * cell, Margin * cell), cell,
         (int)Math.Ceiling(bounds.Size.X / cell) + 2 * Margin + 1, (int)Math.Ceiling(bounds.Size.Y / cell) + 2 * Margin + 1);
@@ -34,10 +36,10 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
         Parallel.For(0, levels.Length, i => grid._heights[i] = grid.Spanned(curves.Trace(i, 0.004).Where(c => c.Count > 2).Select(c => c.Raw).ToList()));
         for (var i = 0; i < levels.Length; i++)
         {
-            // A level without curves lies on the one below.
-            if (grid._heights[i].Length == 0) grid._heights[i] = i > 0 ? grid._heights[i - 1] : grid.Flat(mesh.Bounds.Min.Z);
+            // A level without curves lies on the one below; beyond their outlines levels might cross.
+            if (grid._heights[i].Length == 0) grid._heights[i] = Enumerable.Repeat(mesh.Bounds.Min.Z, grid._nodes.Count).ToArray();
+            for (var n = 0; i > 0 && n < grid._nodes.Count; n++) grid._heights[i][n] = Math.Max(grid._heights[i][n], grid._heights[i - 1][n] + LeastGap);
         }
-        grid.Rise();
         return grid;
     }
 
@@ -45,7 +47,8 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
     public double Height(double x, double y, double level)
     {
         var place = _nodes.Locate(x, y);
-        var i = Below(level);
+        var i = Array.BinarySearch(levels, level);
+        i = Math.Min(Math.Max(i < 0 ? ~i - 1 : i, 0), levels.Length - 2);
         double low = _nodes.Between(_heights[i], place), high = _nodes.Between(_heights[i + 1], place);
         return low + (high - low) * (level - levels[i]) / (levels[i + 1] - levels[i]);
     }
@@ -59,68 +62,41 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
         return levels[low] + (levels[low + 1] - levels[low]) * (p.Z - from) / (to - from);
     }
 
-    private int Below(double level)
-    {
-        var i = Array.BinarySearch(levels, level);
-        return Math.Min(Math.Max(i < 0 ? ~i - 1 : i, 0), levels.Length - 2);
-    }
-
-    private double[] Flat(double height) => Enumerable.Repeat(height, _nodes.Count).ToArray();
-
     private double[] Spanned(List<Vec3[]> curves)
     {
         if (curves.Count == 0) return [];
-        var result = Flat(double.NaN);
-        var spans = SpanIslands.Of(curves);
-        // Also around outlines: what leans out lies there, above the level below.
-        var reached = spans.ConvertAll(s => s.Bounds.Grow((Margin + 1) * Cell));
-        for (var n = 0; n < result.Length; n++)
+        var islands = SpanIsland.Of(curves);
+        var owners = SpanIsland.Owners(islands, _nodes);
+        var steps = Enumerable.Repeat(-1, _nodes.Count).ToArray();
+        var heights = new double[_nodes.Count];
+        var outlines = new List<int>();
+        for (var i = 0; i < islands.Count; i++)
+        {
+            foreach (var n in islands[i].NodesAlong(_nodes))
+            {
+                if (steps[n] == 0) continue;
+                if (owners[n] < 0) owners[n] = i;
+                steps[n] = 0;
+                heights[n] = Span(n);
+                outlines.Add(n);
+            }
+        }
+        // Also around outlines: what leans out lies there, above the level below. Farther out nodes take the height of the nearest ones.
+        _nodes.Grow(outlines, (from, to) =>
+        {
+            if (steps[to] >= 0) return false;
+            steps[to] = steps[from] + 1;
+            var inside = owners[to] >= 0;
+            if (!inside) owners[to] = owners[from];
+            heights[to] = inside || steps[to] <= Around ? Span(to) : heights[from];
+            return true;
+        });
+        return heights;
+
+        double Span(int n)
         {
             var (x, y, _) = _nodes.At(n);
-            if (reached.Exists(b => b.Contains(new Vec3(x, y, b.Min.Z)))) result[n] = SpanIslands.Nearest(spans, x, y).Height(x, y);
-        }
-        Spread(result);
-        return result;
-    }
-
-    // Nodes without a height take that of their neighbors, from the known ones outward.
-    private void Spread(double[] heights)
-    {
-        var front = new List<int>();
-        for (var n = 0; n < heights.Length; n++)
-        {
-            if (!double.IsNaN(heights[n])) front.Add(n);
-        }
-        while (front.Count > 0)
-        {
-            var next = new List<int>();
-            foreach (var n in front)
-            {
-                int column = n % _nodes.Columns, row = n / _nodes.Columns;
-                if (column > 0) Take(n, n - 1);
-                if (column + 1 < _nodes.Columns) Take(n, n + 1);
-                if (row > 0) Take(n, n - _nodes.Columns);
-                if (row + 1 < _nodes.Rows) Take(n, n + _nodes.Columns);
-            }
-            front = next;
-
-            void Take(int from, int to)
-            {
-                if (!double.IsNaN(heights[to])) return;
-                heights[to] = heights[from];
-                next.Add(to);
-            }
-        }
-    }
-
-    // Beyond their outlines layers might cross.
-    private void Rise()
-    {
-        const double Least = 1e-5;
-        for (var i = 1; i < _heights.Length; i++)
-        {
-            if (ReferenceEquals(_heights[i], _heights[i - 1])) _heights[i] = (double[])_heights[i].Clone();
-            for (var n = 0; n < _heights[i].Length; n++) _heights[i][n] = Math.Max(_heights[i][n], _heights[i - 1][n] + Least);
+            return islands[owners[n]].Height(x, y, steps[n]);
         }
     }
 }

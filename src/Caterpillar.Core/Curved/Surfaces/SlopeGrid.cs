@@ -49,21 +49,47 @@ internal sealed record SlopeGrid(Vec3 Corner, double Cell, int Columns, int Rows
         return low + (high - low) * place.V;
     }
 
+    /// <summary>Goes from nodes outward, step by step to the next ones along both axes.</summary>
+    /// <param name="first">Where to begin.</param>
+    /// <param name="enter">Called with a node and one next to it: whether to go on from there.</param>
+    public void Grow(IEnumerable<int> first, Func<int, int, bool> enter)
+    {
+        var front = new Queue<int>(first);
+        while (front.Count > 0)
+        {
+            var n = front.Dequeue();
+            int column = n % Columns, row = n / Columns;
+            if (column > 0 && enter(n, n - 1)) front.Enqueue(n - 1);
+            if (column + 1 < Columns && enter(n, n + 1)) front.Enqueue(n + 1);
+            if (row > 0 && enter(n, n - Columns)) front.Enqueue(n - Columns);
+            if (row + 1 < Rows && enter(n, n + Columns)) front.Enqueue(n + Columns);
+        }
+    }
+
     /// <summary>The highest surface below given heights that nowhere rises faster than a slope, mm per mm.</summary>
     public void Lower(double[] heights, double slope)
     {
-        for (var node = 0; node < heights.Length; node++) Lower(heights, node, 1, slope * Cell);
-        for (var node = heights.Length - 1; node >= 0; node--) Lower(heights, node, -1, slope * Cell);
+        var rises = Array.ConvertAll(Steps, step => slope * Cell * step.Length);
+        for (var y = 0; y < Rows; y++)
+        {
+            for (var x = 0; x < Columns; x++) Lower(heights, x, y, 1, rises);
+        }
+        for (var y = Rows - 1; y >= 0; y--)
+        {
+            for (var x = Columns - 1; x >= 0; x--) Lower(heights, x, y, -1, rises);
+        }
     }
 
-    private void Lower(double[] heights, int node, int sign, double rise)
+    private void Lower(double[] heights, int x, int y, int sign, double[] rises)
     {
-        int x = node % Columns, y = node / Columns;
-        foreach (var step in Steps)
+        var height = heights[y * Columns + x];
+        for (var k = 0; k < rises.Length; k++)
         {
-            int i = x + sign * step.X, j = y + sign * step.Y;
+            int i = x + sign * Steps[k].X, j = y + sign * Steps[k].Y;
             if (i < 0 || j < 0 || i >= Columns || j >= Rows) continue;
-            heights[node] = Math.Min(heights[node], heights[j * Columns + i] + rise * step.Length);
+            var reached = heights[j * Columns + i] + rises[k];
+            if (reached < height) height = reached;
         }
+        heights[y * Columns + x] = height;
     }
 }

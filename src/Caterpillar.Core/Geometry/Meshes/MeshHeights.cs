@@ -86,8 +86,8 @@ internal sealed class MeshHeights
         return winding;
     }
 
-    // Of the edge, seen from above, with the ray from the point along +X; half open, so that a vertex counts once.
-    private static int Crossing(Vec3 a, Vec3 b, Vec3 p)
+    /// <summary>Of an edge, seen from above, with the ray from a point along +X: 1 upward, −1 downward. Half open, so that a vertex counts once.</summary>
+    public static int Crossing(Vec3 a, Vec3 b, Vec3 p)
     {
         if (a.Y <= p.Y == b.Y <= p.Y) return 0;
         // The same arithmetic for both directions of an edge.

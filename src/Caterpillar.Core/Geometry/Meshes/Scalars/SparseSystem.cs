@@ -11,25 +11,23 @@ internal sealed class SparseSystem
     private readonly double[] _diagonal;
 
     /// <summary>A matrix of entries in any order; those of one place add up.</summary>
-    /// <param name="size">Rows.</param>
-    /// <param name="entries">Row and column of each off-diagonal entry, both halves of the matrix.</param>
-    /// <param name="values">Their values.</param>
+    /// <param name="entries">Each off-diagonal entry of one half of the matrix; its other half is the same.</param>
     /// <param name="diagonal">The diagonal.</param>
-    public SparseSystem(int size, (int Row, int Column)[] entries, double[] values, double[] diagonal)
+    public SparseSystem(IReadOnlyCollection<(int Row, int Column, double Value)> entries, double[] diagonal)
     {
-        _starts = new int[size + 1];
-        foreach (var (row, _) in entries) _starts[row + 1]++;
-        for (var i = 0; i < size; i++) _starts[i + 1] += _starts[i];
-        _columns = new int[entries.Length];
-        _values = new double[entries.Length];
-        var next = (int[])_starts.Clone();
-        for (var k = 0; k < entries.Length; k++)
-        {
-            var at = next[entries[k].Row]++;
-            _columns[at] = entries[k].Column;
-            _values[at] = values[k];
-        }
         _diagonal = diagonal;
+        _starts = new int[diagonal.Length + 1];
+        foreach (var (row, column, _) in entries) (_starts[row + 1], _starts[column + 1]) = (_starts[row + 1] + 1, _starts[column + 1] + 1);
+        for (var i = 0; i < diagonal.Length; i++) _starts[i + 1] += _starts[i];
+        (_columns, _values) = (new int[2 * entries.Count], new double[2 * entries.Count]);
+        var next = (int[])_starts.Clone();
+        foreach (var (row, column, value) in entries)
+        {
+            Put(row, column, value);
+            Put(column, row, value);
+        }
+
+        void Put(int row, int column, double value) => (_columns[next[row]], _values[next[row]++]) = (column, value);
     }
 
     /// <summary>Solves for a right side, beginning with a guess, which becomes the solution.</summary>
@@ -77,11 +75,16 @@ internal sealed class SparseSystem
 
     private void Multiply(double[] x, double[] result)
     {
-        for (var i = 0; i < x.Length; i++)
+        const int Block = 4096;
+        Parallel.For(0, (x.Length + Block - 1) / Block, block =>
         {
-            var sum = _diagonal[i] * x[i];
-            for (var k = _starts[i]; k < _starts[i + 1]; k++) sum += _values[k] * x[_columns[k]];
-            result[i] = sum;
-        }
+            var end = Math.Min(x.Length, (block + 1) * Block);
+            for (var i = block * Block; i < end; i++)
+            {
+                var sum = _diagonal[i] * x[i];
+                for (var k = _starts[i]; k < _starts[i + 1]; k++) sum += _values[k] * x[_columns[k]];
+                result[i] = sum;
+            }
+        });
     }
 }
