@@ -16,12 +16,10 @@ internal sealed class PatchClearance(Printer printer, double cell, double slack)
     /// <summary>True if the print head hits one printed patch while it prints another.</summary>
     public bool IsBlocked(LayerPatch printed, LayerPatch next)
     {
-        var low = next.Box.Min.Z;
-        var rise = printed.Box.Max.Z - low;
-        if (!(rise > Math.Min(_boxes, _shape.HeightAt(Distance(printed, next))) + Flush)) return false;
+        if (!MayMeet(printed.Box, printed.Box.Max.Z, next.Box)) return false;
         foreach (var from in printed.Cells)
         {
-            if (!(from.Top - low > Flush)) continue;
+            if (!MayMeet(Bounds.Empty.Include(new Vec3(from.Column, from.Row)), from.Top, next.Box)) continue;
             foreach (var to in next.Cells)
             {
                 if (Meets((from.Column - to.Column) * cell, (from.Row - to.Row) * cell, from.Top - to.Low - Flush)) return true;
@@ -42,10 +40,12 @@ internal sealed class PatchClearance(Printer printer, double cell, double slack)
         return false;
     }
 
-    // At least, between the boxes of two patches.
-    private double Distance(LayerPatch a, LayerPatch b)
+    // Columns and rows of what is printed, how high it reaches, and the box of what comes next.
+    private bool MayMeet(Bounds printed, double top, Bounds next)
     {
-        double x = Math.Max(a.Box.Min.X - b.Box.Max.X, b.Box.Min.X - a.Box.Max.X), y = Math.Max(a.Box.Min.Y - b.Box.Max.Y, b.Box.Min.Y - a.Box.Max.Y);
-        return new Vec3(Math.Max(0, x), Math.Max(0, y)).LengthXY * cell - slack;
+        var x = Math.Max(printed.Min.X - next.Max.X, next.Min.X - printed.Max.X);
+        var y = Math.Max(printed.Min.Y - next.Max.Y, next.Min.Y - printed.Max.Y);
+        var distance = new Vec3(Math.Max(0, x), Math.Max(0, y)).LengthXY * cell - slack;
+        return top - next.Min.Z > Math.Min(_boxes, _shape.HeightAt(distance)) + Flush;
     }
 }

@@ -59,18 +59,6 @@ internal static class LayFlat
         return best;
     }
 
-    // The shortest turn that brings a direction to −Z (Rodrigues).
-    private static Affine Downwards(Vec3 n)
-    {
-        var cosine = -n.Z;
-        if (cosine > 1 - 1e-15) return Affine.Identity;
-        if (cosine < -1 + 1e-12) return new Affine(Vec3.UnitX, -Vec3.UnitY, -Vec3.UnitZ, Vec3.Zero);
-        // Axis times sine: n × (0, 0, −1).
-        double vx = -n.Y, vy = n.X, k = 1 / (1 + cosine);
-        return new Affine(
-            new Vec3(cosine + k * vx * vx, k * vx * vy, -vy),
-            new Vec3(k * vx * vy, cosine + k * vy * vy, vx),
-            new Vec3(vy, -vx, cosine),
-            Vec3.Zero);
-    }
+    // The shortest turn that brings a direction to −Z.
+    private static Affine Downwards(Vec3 n) => Affine.Rotate(n.LengthXY > 0 ? new Vec3(-n.Y, n.X) : Vec3.UnitX, Angle.Atan2(n.LengthXY, -n.Z));
 }
