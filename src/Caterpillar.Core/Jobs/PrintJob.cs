@@ -66,8 +66,7 @@ public sealed class PrintJob : IDisposable
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         options ??= new PrintJobOptions();
         if (options.Onto is not null) return SliceOnto(models, setup, options, progress, cancel);
-        var pipeline = new PrintPipeline(setup, options.Planning, cancel);
-        try
+        return Piped(setup, options, pipeline =>
         {
             var slicing = new SliceOptions
             {
@@ -75,17 +74,8 @@ public sealed class PrintJob : IDisposable
                 Printer = setup.Settings.PurgeTower ? PrimedArea.Excluded(setup, isForTower: true) : setup.Printer,
                 Take = layers => pipeline.Add([.. layers.SelectMany(l => l.Steps)]),
             };
-            var sliced = PlanarSlicer.SliceEach(models, setup.Settings, slicing, progress, cancel);
-            if (sliced.Value is not { } layers) return new Result<PrintJob>(null, sliced.Diagnostics);
-            var job = After(sliced.Diagnostics, Planned(pipeline.Finish(), setup, options, layers.Layers.Count, pipeline, null, cancel));
-            // What was tilted is another toolpath than the one that has been checked so far.
-            if (job.Value?._pipeline is not null) pipeline = null;
-            return job;
-        }
-        finally
-        {
-            pipeline?.Dispose();
-        }
+            return PlanarSlicer.SliceEach(models, setup.Settings, slicing, progress, cancel);
+        }, cancel);
     }
 
     /// <summary>Slices models along the level sets of a field, on the bed or on an object.</summary>
@@ -95,16 +85,16 @@ public sealed class PrintJob : IDisposable
         CancellationToken cancel = default)
     {
         options ??= new PrintJobOptions();
-        var curved = new CurvedOptions
+        return Piped(OverObjects(setup) with { PrintedOn = options.Onto }, options, pipeline =>
         {
-            Threads = options.Threads, Memory = options.Memory, InfillLines = options.InfillLines,
-            Onto = options.Onto is { } below ? PlanSurface.OnBed(below) : null, Partial = options.Partial, MaxTilt = Math.Min(options.Tilt?.MaxTilt ?? 0, 90),
-        };
-        var sliced = CurvedSlicer.SliceEach(models, field, setup, curved, progress.Part(0, 0.7), cancel);
-        if (sliced.Value is not { } layers) return new Result<PrintJob>(null, sliced.Diagnostics);
-        var over = OverObjects(setup) with { PrintedOn = options.Onto };
-        var plan = Planner.PlanWithReport(layers.ToSteps(), over, options.Planning, progress.Part(0.7, 1), cancel);
-        return After(sliced.Diagnostics, Planned(plan, over, options, layers.Layers.Count, null, layers.Field, cancel));
+            var curved = new CurvedOptions
+            {
+                Threads = options.Threads, Memory = options.Memory, InfillLines = options.InfillLines, Partial = options.Partial, Take = pipeline.Add,
+                Onto = options.Onto is { } below ? PlanSurface.OnBed(below) : null, MaxTilt = Math.Min(options.Tilt?.MaxTilt ?? 0, 90),
+            };
+            var sliced = CurvedSlicer.SliceEach(models, field, setup, curved, progress, cancel);
+            return new Result<SliceResult>(sliced.Value, sliced.Diagnostics);
+        }, cancel);
     }
 
     /// <summary>Plans a drawing: the steps of a turtle, trace or curves, or paths of any points (<see cref="PathSteps.ToSteps"/>).</summary>
@@ -225,6 +215,27 @@ public sealed class PrintJob : IDisposable
         var flat = PlanarSlicer.SliceEach(plain, Plain(setup.Settings), slicing, progress.Part(0, 0.6), cancel);
         return flat.Value is not { } layers ? new Result<PrintJob>(null, flat.Diagnostics)
             : After(flat.Diagnostics, Draw(layers.ToSteps(), setup, options, layers.Layers.Count, progress.Part(0.6, 1), cancel));
+    }
+
+    // Layers are planned and checked as soon as they are sliced.
+    private static Result<PrintJob> Piped(
+        PrintSetup setup, PrintJobOptions options, Func<PrintPipeline, Result<SliceResult>> slice, CancellationToken cancel)
+    {
+        var pipeline = new PrintPipeline(setup, options.Planning, cancel);
+        try
+        {
+            var sliced = slice(pipeline);
+            if (sliced.Value is not { } layers) return new Result<PrintJob>(null, sliced.Diagnostics);
+            var field = (layers as CurvedResult)?.Field;
+            var job = After(sliced.Diagnostics, Planned(pipeline.Finish(), setup, options, layers.Layers.Count, pipeline, field, cancel));
+            // What was tilted is another toolpath than the one that has been checked so far.
+            if (job.Value?._pipeline is not null) pipeline = null;
+            return job;
+        }
+        finally
+        {
+            pipeline?.Dispose();
+        }
     }
 
     private static Result<PrintJob> Planned(

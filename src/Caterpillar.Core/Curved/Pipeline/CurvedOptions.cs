@@ -30,4 +30,7 @@ public sealed record CurvedOptions
     /// True prints only what is within the plan and not too steep for the head. False reports an error if the part extends beyond the plan or is too steep.
     /// </summary>
     public bool Partial { get; init; }
+
+    /// <summary>Takes the steps of the layers in their order; then the layers of the result have none.</summary>
+    internal Action<IReadOnlyList<PathStep>>? Take { get; init; }
 }

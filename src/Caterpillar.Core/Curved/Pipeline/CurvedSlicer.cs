@@ -102,7 +102,13 @@ public static class CurvedSlicer
     {
         if (layers.Length == 0 && !problems.HasErrors) problems.Add(Severity.Error, "slice.empty", $"Nothing to print: {nothing}.");
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
-        return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems, options.MaxTilt > 0), field), problems.ToList());
+        layers = PatchOrder.Arrange(layers, setup.Printer, problems, options.MaxTilt > 0);
+        for (var i = 0; options.Take is not null && i < layers.Length; i++)
+        {
+            options.Take(layers[i].Steps);
+            layers[i] = layers[i] with { Steps = [] };
+        }
+        return new Result<CurvedResult>(new CurvedResult(layers, field), problems.ToList());
     }
 
     private static LiftRules Rules(PrintSetup setup, CurvedOptions options, PartColumns part, double least, double rise)
