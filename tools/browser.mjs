@@ -49,8 +49,8 @@ export async function open(chromium, options = [], event = () => {}) {
       await send("Page.navigate", { url: "about:blank" });
       await send("Page.navigate", { url });
     },
-    async picture() {
-      return Buffer.from((await send("Page.captureScreenshot")).data, "base64");
+    async picture(options = {}) {
+      return Buffer.from((await send("Page.captureScreenshot", options)).data, "base64");
     },
     async close() {
       const ended = new Promise((exit) => browser.on("exit", exit));

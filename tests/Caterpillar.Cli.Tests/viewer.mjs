@@ -11,7 +11,7 @@ import { open, wait } from "../../tools/browser.mjs";
 const [program, file, host] = process.argv.slice(2);
 let name = "";
 const fault = (text) => console.log(`${name}: ${text}`);
-const page = await open(program, ["--window-size=800,600"], (method, { exceptionDetails, type }) => {
+const page = await open(program, ["--window-size=720,480"], (method, { exceptionDetails, type }) => {
   if (method === "Runtime.exceptionThrown") fault("exception " + exceptionDetails.text);
   if (method === "Runtime.consoleAPICalled" && type === "error") fault("the page reports an error");
 });
@@ -20,9 +20,10 @@ const press = async (key, shift = false) => {
   await send("Input.dispatchKeyEvent", { type: "keyDown", key, modifiers: shift ? 8 : 0, text: key.length === 1 ? key : undefined });
   await send("Input.dispatchKeyEvent", { type: "keyUp", key });
 };
+const drawn = () => page.until("document.documentElement.dataset.image === 'whole'");
 const picture = async () => {
-  await wait(400);
-  return page.picture();
+  await drawn();
+  return page.picture({ optimizeForSpeed: true });
 };
 const focused = () => value("(() => { const a = document.activeElement; return a.getAttribute('aria-label') ?? a.textContent.trim() ?? a.id; })()");
 
@@ -30,6 +31,12 @@ async function show(hash) {
   await page.show(`${pathToFileURL(file)}#${hash}`);
   await page.until("document.documentElement.dataset.state === 'ready'");
 }
+
+// Another address of the page that is shown.
+const go = (hash) => value(`new Promise((done) => {
+  window.addEventListener("hashchange", () => done(), { once: true });
+  location.hash = "${hash}";
+})`);
 
 // Beads and layers are those of the file, and each choice of colors explains itself.
 async function colors() {
@@ -135,12 +142,16 @@ async function element() {
   await set("line", 9);
   await page.until("document.getElementById('now').textContent === 'Line 9, layer 0'");
   await page.until("moments.some((m) => m.line === 9 && m.layer === 0 && m.height === 0.2)");
-  const before = await picture();
+  await wait(400);
+  const before = await page.picture();
   await set("color", "layer");
   await set("at", 1);
   await page.until("moments.some((m) => m.layer === 1 && m.seconds > 0)");
   // The frame draws in a process of its own.
-  for (let i = 0; before.equals(await picture()); i++) if (i === 75) return fault("draws the same with other attributes");
+  for (let i = 0; before.equals(await page.picture()); i++) {
+    if (i === 300) return fault("draws the same with other attributes");
+    await wait(50);
+  }
   const small = await value("document.querySelector('caterpillar-viewer').shadowRoot.querySelector('iframe').getBoundingClientRect().height");
   if (small !== 500) fault(`is ${small} high`);
 }
@@ -148,9 +159,9 @@ async function element() {
 // A cut hides travels, too.
 async function cuts() {
   name = "cuts";
-  const blue = async (hash) => {
-    await show("light&show=travel&hide=bed,nozzle" + hash);
-    await wait(400);
+  await show("light&show=travel&hide=bed,nozzle");
+  const blue = async () => {
+    await drawn();
     return value(`(() => {
       const view = document.getElementById("view"), copy = new OffscreenCanvas(view.width, view.height).getContext("2d");
       copy.drawImage(view, 0, 0);
@@ -160,27 +171,42 @@ async function cuts() {
       return count;
     })()`);
   };
-  const [whole, half] = [await blue(""), await blue("&cut=x,0.5")];
+  const whole = await blue();
+  await go("light&show=travel&hide=bed,nozzle&cut=x,0.5");
+  const half = await blue();
   if (!(half > 0 && half < whole)) fault(`${half} of ${whole} pixels of travels are left`);
 }
 
-// Layers, moments, colors, views and themes each change what is drawn.
+// Layers, moments, colors, views and themes each change what is drawn. A page that is opened with all of them shows what one shows that came to them in turn.
 async function moments() {
-  const drawn = new Map();
-  for (const hash of ["light", "light&layers=0-0", "light&at=0.5", "light&color=speed", "light&view=-90,90", "dark", "light&hide=bed"]) {
-    name = hash;
-    await show(hash);
-    const image = (await picture()).toString("base64");
+  await show("light");
+  const drawn = new Map([[(await picture()).toString("base64"), "light"]]);
+  let hash = "light", image;
+  for (const part of ["layers=0-0", "at=0.5", "color=speed", "view=-90,90", "dark", "hide=bed"]) {
+    name = part;
+    await go(hash += "&" + part);
+    image = (await picture()).toString("base64");
     if (drawn.has(image)) fault("draws the same as " + drawn.get(image));
-    drawn.set(image, hash);
+    drawn.set(image, part);
+  }
+  name = hash;
+  await show(hash);
+  if ((await picture()).toString("base64") !== image) fault("opened with all at once, it draws something else");
+}
+
+async function looks(width, height) {
+  await send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: width < 700 });
+  for (const theme of ["light", "dark"]) {
+    name = `${width} × ${height}, ${theme}`;
+    await (theme === "light" ? show : go)(`at=0.5&${theme}`);
+    if (process.env.PICTURES) writeFileSync(join(process.env.PICTURES, `viewer_${width}_${theme}.png`), await picture());
+    await look(width);
+    if (theme === "light") await keyboard();
+    await names();
   }
 }
 
-async function look(width, height, theme) {
-  name = `${width} × ${height}, ${theme}`;
-  await send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: width < 700 });
-  await show(`${theme}&at=0.5`);
-  if (process.env.PICTURES) writeFileSync(join(process.env.PICTURES, `viewer_${width}_${theme}.png`), await picture());
+async function look(width) {
   const sliders = await value("[...document.querySelectorAll('#bar .range')].map((r) => r.getBoundingClientRect()).map((b) => [b.width, b.height, b.right])");
   for (const [w, h, right] of sliders) if (w < 280 || h < 24 || right > width) fault(`a slider of ${w} × ${h} that ends at ${right}`);
   const small = await value("[...document.querySelectorAll('button, select, label')].filter((b) => b.offsetParent && !b.closest('dialog'))"
@@ -188,11 +214,9 @@ async function look(width, height, theme) {
   for (const target of small) fault("a target is small: " + target);
   const wide = await value("document.documentElement.scrollWidth");
   if (wide > width) fault(`the page is ${wide} wide`);
-  if ((theme === "dark") === (width < 700)) await keyboard();
-  await names();
 }
 
-// Once for each size. Tab reaches everything, and keys move the camera, the layers and the time.
+// Tab reaches everything, and keys move the camera, the layers and the time.
 async function keyboard() {
   const seen = [];
   for (let i = 0; i < 80; i++) {
@@ -231,6 +255,6 @@ await filaments();
 await cuts();
 await moments();
 await element();
-for (const theme of ["light", "dark"]) for (const [width, height] of [[390, 844], [1440, 900]]) await look(width, height, theme);
+for (const [width, height] of [[390, 844], [1024, 640]]) await looks(width, height);
 await page.close();
 process.exit(0);

@@ -16,6 +16,7 @@ class Frames {
   redraw() {
     clearTimeout(this.resting);
     this.setWhole(null);
+    document.documentElement.dataset.image = "partial";
     if (this.isQueued) return;
     this.isQueued = true;
     requestAnimationFrame(() => {
@@ -30,7 +31,7 @@ class Frames {
   drawn(time, quickly, skip) {
     if (!quickly) {
       this.areSlow = time > frameTime;
-      return;
+      return this.finished();
     }
     if (this.isFirst) {
       this.isFirst = false;
@@ -61,8 +62,14 @@ class Frames {
   // A piece when the one before is done, until the whole is there or something changes.
   next(whole) {
     if (whole !== this.whole) return;
-    if (whole.next().done) this.setWhole(null);
-    else this.afterDrawing(() => this.next(whole));
+    if (!whole.next().done) return this.afterDrawing(() => this.next(whole));
+    this.setWhole(null);
+    this.finished();
+  }
+
+  // A page that is driven by a program says when its image is there.
+  finished() {
+    if (!this.isQueued) document.documentElement.dataset.image = "whole";
   }
 
   afterDrawing(then) {
