@@ -255,6 +255,6 @@ await filaments();
 await cuts();
 await moments();
 await element();
-for (const [width, height] of [[390, 844], [1024, 640]]) await looks(width, height);
+for (const [width, height] of [[390, 844], [1440, 900]]) await looks(width, height);
 await page.close();
 process.exit(0);
