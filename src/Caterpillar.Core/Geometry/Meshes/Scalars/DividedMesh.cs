@@ -96,20 +96,20 @@ internal sealed class DividedMesh
     /// <returns>Whether there were any.</returns>
     public bool Split()
     {
-        var cut = new List<int>();
+        var cut = new List<(int Face, int Across)>();
         while (_divided.Count > 0)
         {
             for (var side = _edges[_divided.Dequeue()].Side; side >= 0; side = _sides[side])
             {
                 var face = side / 3;
                 if (_faces[face].IsGone) continue;
-                Divide(Longest(face));
+                cut.Add((face, Longest(face)));
+                Divide(cut[cut.Count - 1].Across);
                 _faces[face] = _faces[face] with { IsGone = true };
-                cut.Add(face);
             }
         }
         Count -= cut.Count;
-        foreach (var face in cut) Split(_faces[face].Corners, _faces[face].Edges, Longest(face));
+        foreach (var (face, across) in cut) Split(_faces[face].Corners, _faces[face].Edges, across);
         return cut.Count > 0;
     }
 
